@@ -206,7 +206,7 @@ void BlockMatrix::addToEdge(std::size_t edge, const Mat6& value, const Mat6& mir
     m_upper[where.lower] += where.transposed ? value : mirror;
 }
 
-CAROM_WIDE bool BlockMatrix::factor() {
+bool BlockMatrix::factor() {
     m_general = false;
     for (std::size_t j = 0; j < m_columns.size(); ++j) {
         if (!takeRoot(m_diagonal[j])) return false;

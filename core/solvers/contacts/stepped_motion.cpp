@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/solvers/contacts/stepped_motion.h"
 
+#include "core/base/wide.h"
 #include "core/dynamics/contact_memory.h"
 #include "core/dynamics/energy.h"
 #include "core/dynamics/free_rotation.h"
@@ -223,8 +224,16 @@ SteppedReport SteppedMotion::advance(const SteppedInput& input, Manifolds& manif
 // Predicts how far each body moves until the end of the step, from its pose at the look, and whether it was
 // struck.
 void SteppedMotion::foreseeStruck(double duration, Workers& workers) {
-    m_coming.assign(m_bodies.size(), {});
-    forAwake(workers, [&](std::uint32_t i) {
+    m_coming.resize(m_bodies.size());
+    m_coming[immobile] = {};
+    if (m_awake.size() + 1 < m_bodies.size()) std::fill(m_coming.begin(), m_coming.end(), Coming{});
+    workers.forRanges(m_awake.size(), fewAwake, [&](std::size_t begin, std::size_t end) {
+        foreseeStruck(duration, std::span(m_awake).subspan(begin, end - begin));
+    });
+}
+
+CAROM_WIDE void SteppedMotion::foreseeStruck(double duration, std::span<const std::uint32_t> numbers) {
+    for (const std::uint32_t i : numbers) {
         const SolverBody& body = m_bodies[i];
         Coming& to = m_coming[i];
         to.isStruck = m_struck[i] != 0 || body.velocity != m_free[i].velocity;
@@ -232,7 +241,7 @@ void SteppedMotion::foreseeStruck(double duration, Workers& workers) {
         to.turn = body.roundInverse > 0
                       ? 0
                       : vectorOf(m_moved[i].turn).norm() + duration * vectorOf(body.spin).norm();
-    });
+    }
 }
 
 // Whether a watched pair with a body that was struck may close its gap within the step.
@@ -454,11 +463,12 @@ void SteppedMotion::limitSprings(const SteppedInput& input, const StepSettings& 
     m_springLimit.keep(islands, settings.duration, m_bodies);
 }
 
-// Moves bodies: those without any impulse by the mean of the velocities at both ends, the others by the
-// velocity at the end.
-void SteppedMotion::move(const SteppedInput& input, double duration) {
+// Moves bodies, and notes how far they turn: those without any impulse by the mean of the velocities at both
+// ends, the others by the velocity at the end.
+CAROM_WIDE void SteppedMotion::shift(const SteppedInput& input, double duration,
+                                     std::span<const std::uint32_t> numbers) {
     const Vec3 half = 0.5 * duration * duration * input.gravity;
-    forAwake(input.workers, [&](std::uint32_t i) {
+    for (const std::uint32_t i : numbers) {
         const SolverBody& from = m_bodies[i];
         Displacement& moved = m_moved[i];
         Vec3 shift = duration * vectorOf(from.velocity);
@@ -473,6 +483,12 @@ void SteppedMotion::move(const SteppedInput& input, double duration) {
         const Vec3 spin = vectorOf(from.spin);
         add(moved.turn, duration * spin);
         moved.angle += duration * spin.norm();
+    }
+}
+
+void SteppedMotion::move(const SteppedInput& input, double duration) {
+    input.workers.forRanges(m_awake.size(), fewAwake, [&](std::size_t begin, std::size_t end) {
+        shift(input, duration, std::span(m_awake).subspan(begin, end - begin));
     });
     m_turns.clear();
     for (const std::uint32_t i : std::span<const std::uint32_t>(m_awake))

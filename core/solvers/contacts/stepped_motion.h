@@ -339,6 +339,7 @@ class SteppedMotion {
     bool staysOpen(OpenPair& pair, double fall) const;
     OpenPair openPairOf(const ManifoldInput& here, std::uint32_t number, const Manifolds& manifolds) const;
     void foreseeStruck(double duration, Workers& workers);
+    void foreseeStruck(double duration, std::span<const std::uint32_t> numbers);
     bool isStruck(const Watched& pair) const;
     bool addStruck(const SteppedInput& input, double duration, Manifolds& manifolds, SteppedReport& report);
     std::size_t points() const { return wideLanes * (m_rows.points().size() + m_balls.activeGroups()); }
@@ -364,6 +365,7 @@ class SteppedMotion {
     void applyTerms(const SteppedInput& input, double duration);
     void recordTerms(const SteppedInput& input);
     void move(const SteppedInput& input, double duration);
+    void shift(const SteppedInput& input, double duration, std::span<const std::uint32_t> numbers);
     /// Bodies that one thread moves at least; one takes some 10 ns. At half, waking a thread costs nearly
     /// what it saves; at twice, islands of a thousand bodies are moved by one.
     static constexpr std::size_t fewAwake = 512;

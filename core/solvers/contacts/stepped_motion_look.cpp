@@ -91,6 +91,15 @@ void SteppedMotion::updatePairs(const ManifoldInput& here, Manifolds& manifolds,
     report.work.pairsCollided += collided;
 }
 
+[[gnu::always_inline]] inline bool SteppedMotion::staysOpen(OpenPair& pair, double fall) const {
+    double& gap = pair.watched.gap;
+    if (!(gap > 0)) return false;
+    const Travel &a = m_travel[pair.watched.a], &b = m_travel[pair.watched.b];
+    gap += pair.watched.normal.dot(b.came - a.came) - a.turned - b.turned;
+    const double comes = pair.watched.normal.dot(a.comes - b.comes) + a.turns + b.turns;
+    return gap > pair.slack + fall + std::max(0.0, comes);
+}
+
 SteppedMotion::Seen SteppedMotion::see(const ManifoldInput& here, std::uint32_t number, double fall,
                                        Manifolds& manifolds, std::size_t& collided) {
     Entry& entry = m_entries[m_general[number]];
@@ -235,15 +244,6 @@ void SteppedMotion::noteTravel(const SteppedInput& input, double duration) {
             vectorOf(m_moved[i].shift), duration * vectorOf(from.velocity), radius * m_moved[i].angle,
             duration * radius * vectorOf(from.spin).norm() + input.bodies.forces.reach(body, duration)};
     });
-}
-
-bool SteppedMotion::staysOpen(OpenPair& pair, double fall) const {
-    double& gap = pair.watched.gap;
-    if (!(gap > 0)) return false;
-    const Travel &a = m_travel[pair.watched.a], &b = m_travel[pair.watched.b];
-    gap += pair.watched.normal.dot(b.came - a.came) - a.turned - b.turned;
-    const double comes = pair.watched.normal.dot(a.comes - b.comes) + a.turns + b.turns;
-    return gap > pair.slack + fall + std::max(0.0, comes);
 }
 
 SteppedMotion::OpenPair SteppedMotion::openPairOf(const ManifoldInput& here, std::uint32_t number,

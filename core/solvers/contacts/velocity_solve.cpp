@@ -110,17 +110,9 @@ CAROM_INLINE double sweepGroups(const Sweep& with) {
     return std::max(std::max(worst[0], worst[1]), std::max(worst[2], worst[3]));
 }
 
-CAROM_WIDE double sweep(Pass pass, const Sweep& with) {
-    switch (pass) {
-    case Pass::Relax:
-        return sweepGroups<Pass::Relax>(with);
-    case Pass::Rebound:
-        return sweepGroups<Pass::Rebound>(with);
-    case Pass::Feedback:
-        break;
-    }
-    return sweepGroups<Pass::Feedback>(with);
-}
+CAROM_WIDE double sweepWithFeedback(const Sweep& with) { return sweepGroups<Pass::Feedback>(with); }
+CAROM_WIDE double sweepAndRelax(const Sweep& with) { return sweepGroups<Pass::Relax>(with); }
+CAROM_WIDE double sweepRebound(const Sweep& with) { return sweepGroups<Pass::Rebound>(with); }
 
 CAROM_WIDE void passGaps(std::span<const RowGroup> groups, RowPoint* points, const Displacement* moved) {
     for (const RowGroup& group : groups) {
@@ -228,7 +220,7 @@ void updateGaps(ContactRows& rows, std::span<const std::uint32_t> groups,
 void solveVelocities(ContactRows& rows, std::span<SolverBody> bodies, const StepSettings& settings, bool back,
                      Workers& workers) {
     rows.sections().forEach(rows.groups(), back, workers, [&](std::span<const RowGroup> groups) {
-        sweep(Pass::Feedback, {groups, rows.points().data(), bodies.data(), settings, back});
+        sweepWithFeedback({groups, rows.points().data(), bodies.data(), settings, back});
     });
 }
 
@@ -236,7 +228,7 @@ double relaxVelocities(ContactRows& rows, std::span<SolverBody> bodies, const St
                        bool back, Workers& workers) {
     double residual = 0;
     rows.sections().forEach(rows.groups(), back, workers, [&](std::span<const RowGroup> groups) {
-        raiseTo(residual, sweep(Pass::Relax, {groups, rows.points().data(), bodies.data(), settings, back}));
+        raiseTo(residual, sweepAndRelax({groups, rows.points().data(), bodies.data(), settings, back}));
     });
     return residual;
 }
@@ -250,7 +242,7 @@ void rebound(ContactRows& rows, std::span<SolverBody> bodies, const StepSettings
     for (int pass = 0; pass < passes; ++pass) {
         const bool back = pass % 2 != 0;
         rows.sections().forEach(rows.groups(), back, workers, [&](std::span<const RowGroup> groups) {
-            sweep(Pass::Rebound, {groups, rows.points().data(), bodies.data(), settings, back, active});
+            sweepRebound({groups, rows.points().data(), bodies.data(), settings, back, active});
         });
     }
     workers.forRanges(rows.groups().size(), fewShared, [&](std::size_t begin, std::size_t end) {
