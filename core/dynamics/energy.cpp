@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/dynamics/energy.h"
 
+#include "core/base/wide.h"
+
 #include "core/dynamics/free_rotation.h"
 #include "core/dynamics/ledger.h"
 
@@ -39,8 +41,8 @@ Invariants invariantsOf(const Bodies& bodies, const State& state, const Vec3& gr
     return sum;
 }
 
-Invariants invariantsOf(const Bodies& bodies, std::span<const BodyIndex> list, const State& state,
-                        const Vec3& gravity) {
+CAROM_WIDE Invariants invariantsOf(const Bodies& bodies, std::span<const BodyIndex> list, const State& state,
+                                   const Vec3& gravity) {
     Invariants sum = moved(bodies, list, state, gravity);
     for (const BodyIndex i : list) sum.kinetic += spinEnergy(bodies, i, state);
     return sum;

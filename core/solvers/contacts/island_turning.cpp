@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/wide.h"
 #include "core/dynamics/contact_memory.h"
 #include "core/math/rotation.h"
 #include "core/solvers/contacts/contact_settings.h"
@@ -201,8 +202,8 @@ void IslandMotion::moveRows(const MotionInput& input) {
 }
 
 // Finds the points of a pair again with the bodies at these poses: the nearest first, each at most once.
-void IslandMotion::followPair(const MotionInput& input, const ContactPair& pair,
-                              const std::vector<Pose>& poses, std::vector<Place>& places) {
+CAROM_WIDE void IslandMotion::followPair(const MotionInput& input, const ContactPair& pair,
+                                         const std::vector<Pose>& poses, std::vector<Place>& places) {
     for (std::uint32_t i = pair.first; i < pair.first + pair.count; ++i) places[i].found = false;
     if (neverTurns(input.bodies, pair)) return;
     const auto poseOf = [&](BodyIndex i) -> const Pose& {

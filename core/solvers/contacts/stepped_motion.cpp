@@ -245,10 +245,18 @@ CAROM_WIDE void SteppedMotion::foreseeStruck(double duration, std::span<const st
 }
 
 // Whether a watched pair with a body that was struck may close its gap within the step.
-bool SteppedMotion::isStruck(const Watched& pair) const {
+[[gnu::always_inline]] inline bool SteppedMotion::isStruck(const Watched& pair) const {
     const Coming &a = m_coming[pair.a], &b = m_coming[pair.b];
     if (!a.isStruck && !b.isStruck) return false;
     return pair.gap + pair.normal.dot(b.shift - a.shift) < pair.radiusA * a.turn + pair.radiusB * b.turn;
+}
+
+// The first of the watched pairs from `number` on that is struck, or their number.
+CAROM_WIDE std::size_t SteppedMotion::nextStruck(std::size_t number) const {
+    while (number < m_watched.size() &&
+           (m_watched[number].entry == ContactRows::noPair || !isStruck(m_watched[number])))
+        ++number;
+    return number;
 }
 
 // Makes rows for contacts of bodies that were struck. True if there were any.
@@ -257,8 +265,8 @@ bool SteppedMotion::addStruck(const SteppedInput& input, double duration, Manifo
     bool any = m_balls.findStruck(m_bodies, m_places, m_moved, duration, input.gravity, input.workers);
     bool anyRow = false;
     if (!m_watched.empty()) foreseeStruck(duration, input.workers);
-    for (Watched& pair : m_watched) {
-        if (pair.entry == ContactRows::noPair || !isStruck(pair)) continue;
+    for (std::size_t i = nextStruck(0); i < m_watched.size(); i = nextStruck(i + 1)) {
+        Watched& pair = m_watched[i];
         PersistentManifold& manifold = manifolds[m_entries[pair.entry].place];
         const SolverBody &bodyA = m_bodies[pair.a], &bodyB = m_bodies[pair.b];
         if (pair.a != immobile) input.state.velocity[manifold.pair.a] = vectorOf(bodyA.velocity);

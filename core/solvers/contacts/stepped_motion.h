@@ -341,6 +341,7 @@ class SteppedMotion {
     void foreseeStruck(double duration, Workers& workers);
     void foreseeStruck(double duration, std::span<const std::uint32_t> numbers);
     bool isStruck(const Watched& pair) const;
+    std::size_t nextStruck(std::size_t number) const;
     bool addStruck(const SteppedInput& input, double duration, Manifolds& manifolds, SteppedReport& report);
     std::size_t points() const { return wideLanes * (m_rows.points().size() + m_balls.activeGroups()); }
     void foreseeTurned(const SteppedInput& input, double duration);
