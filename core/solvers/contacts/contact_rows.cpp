@@ -250,13 +250,10 @@ void ContactRows::begin(std::size_t bodies, std::uint32_t immobile) {
 }
 
 RowGroup& ContactRows::addGroup(std::uint32_t points) {
-    RowGroup& group = m_groups.emplace_back();
+    RowGroup& group = m_groups.emplace_back(); // all of it is 0
     group.a.fill(m_immobile);
     group.b.fill(m_immobile);
     group.source.fill(noPair);
-    group.normal.fill(Wide{});
-    group.tangent.fill(Wide{});
-    group.friction = group.restitution = group.push = group.hard = Wide{};
     group.firstPoint = static_cast<std::uint32_t>(m_pointCount);
     group.points = points;
     m_pointCount += points;

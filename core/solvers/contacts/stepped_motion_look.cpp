@@ -130,6 +130,17 @@ SteppedMotion::Seen SteppedMotion::see(const ManifoldInput& here, std::uint32_t 
     return seen;
 }
 
+// The place that the frame of a body will have, or that of one along the axes of the world.
+[[gnu::always_inline]] inline std::uint32_t SteppedMotion::frameOf(BodyIndex body, std::uint32_t number,
+                                                                   bool turns) {
+    const std::uint32_t next = static_cast<std::uint32_t>(m_framed.size());
+    const bool isKept = number != immobile && turns;
+    if (isKept && m_frameOf[number] != BallRows::noPair) return m_frameOf[number];
+    if (isKept) m_frameOf[number] = next;
+    m_framed.push_back({body, turns});
+    return next;
+}
+
 // Makes rows of the pairs in contact, section by section. Their places depend on the pairs before; what they
 // are does not.
 void SteppedMotion::addRows(const ManifoldInput& here, Manifolds& manifolds, Workers& workers) {
@@ -222,16 +233,6 @@ void SteppedMotion::setRow(const ManifoldInput& here, const Placed& placed, Mani
                        .frameA = placed.frameA,
                        .frameB = placed.frameB,
                        .middle = isBetween ? 0.5 : 0});
-}
-
-// The place that the frame of a body will have, or that of one along the axes of the world.
-std::uint32_t SteppedMotion::frameOf(BodyIndex body, std::uint32_t number, bool turns) {
-    const std::uint32_t next = static_cast<std::uint32_t>(m_framed.size());
-    const bool isKept = number != immobile && turns;
-    if (isKept && m_frameOf[number] != BallRows::noPair) return m_frameOf[number];
-    if (isKept) m_frameOf[number] = next;
-    m_framed.push_back({body, turns});
-    return next;
 }
 
 void SteppedMotion::noteTravel(const SteppedInput& input, double duration) {
