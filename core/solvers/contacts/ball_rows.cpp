@@ -111,8 +111,7 @@ struct BallRows::Refresh {
     store(group.normal, choose(changes, n, old));
     store(group.tangent, choose(changes, t, oldT));
     group.gap = changes ? (used | (fixed.isHeld > zero) ? now : zero) : group.gap;
-    const auto solved = row.massNormal > zero;
-    group.idle = !anyLane(solved);
+    group.idle = !anyLane(row.massNormal > zero);
     group.watched = anyLane(used & (row.massNormal == zero));
 }
 
@@ -142,9 +141,10 @@ CAROM_WIDE bool BallRows::findStruckIn(const Refresh& with) {
         const Wide3 n = load(group.normal);
         const Wide then = group.gap + dot(n, moved + wideOf(with.duration) * (b.velocity - a.velocity));
         const auto isWatched = (with.fixed[i].massNormal > Wide{}) & (group.row.massNormal == Wide{});
-        const Wide closes = isWatched & (then < Wide{}) ? wideOf(1) : Wide{};
+        const auto closes = isWatched & (then < Wide{});
         if (!anyLane(closes)) continue;
-        refreshGroup(with, i, &closes);
+        const Wide struck = closes ? wideOf(1) : Wide{};
+        refreshGroup(with, i, &struck);
         any = true;
     }
     return any;

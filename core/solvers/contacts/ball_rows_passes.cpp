@@ -57,8 +57,7 @@ CAROM_INLINE void takeBack(BallGroup& group, SolverBody* bodies, double resting,
     BallRow& row = group.row;
     const Wide zero{}, one = wideOf(1), added = row.normal - row.carried;
     const auto isStruck = (added > resting * row.massNormal) & (group.restitution > zero);
-    const Wide lanes = isStruck ? one : zero;
-    if (!anyLane(lanes)) return;
+    if (!anyLane(isStruck)) return;
     const Wide part = isStruck ? added / row.normal : zero;
     const Wide3 back{-part * row.normal, -part * row.along1, -part * row.along2};
     Motion a, b;
@@ -68,7 +67,7 @@ CAROM_INLINE void takeBack(BallGroup& group, SolverBody* bodies, double resting,
     apply(group, n, t1, cross(n, t1), back, a, b);
     scatter(bodies, group.a, a);
     scatter(bodies, group.b, b);
-    activateLanes(group, lanes, active);
+    activateLanes(group, isStruck ? one : zero, active);
 }
 
 /// Solves impacts of pairs that touch and close, with Newton's law, if an impact has changed the velocity of
@@ -78,11 +77,12 @@ CAROM_INLINE Wide strike(const BallGroup& group, SolverBody* bodies, const Displ
                          const Wide& resting, int pass, const ActiveBodies& active) {
     const Wide zero{}, one = wideOf(1);
     if (group.idle) return zero;
-    Wide activeIn{};
+    std::array<std::uint8_t, wideLanes> last;
     for (std::size_t lane = 0; lane < wideLanes; ++lane)
-        activeIn[lane] = std::max(active.bodies[group.a[lane]], active.bodies[group.b[lane]]);
-    const auto isActive = activeIn >= wideOf(pass);
-    if (!anyLane(isActive)) return zero;
+        last[lane] = std::max(active.bodies[group.a[lane]], active.bodies[group.b[lane]]);
+    if (std::max({last[0], last[1], last[2], last[3]}) < pass) return zero;
+    const auto isActive =
+        Wide{double(last[0]), double(last[1]), double(last[2]), double(last[3])} >= wideOf(pass);
     Motion a, b;
     gatherVelocity(bodies, group.a, a);
     gatherVelocity(bodies, group.b, b);
@@ -200,6 +200,24 @@ CAROM_WIDE void passWarm(const BallGroup* groups, std::size_t count, SolverBody*
     }
 }
 
+CAROM_WIDE void passForget(std::span<BallGroup> groups, const SolverBody* bodies, double resting) {
+    for (BallGroup& group : groups) forgetImpact(group, bodies, resting);
+}
+
+// Returns the number of impacts.
+CAROM_WIDE int passActivate(std::span<const BallGroup> groups, const ActiveBodies& active) {
+    int struck = 0;
+    for (const BallGroup& group : groups) {
+        if (group.idle || !group.bounces) continue;
+        const auto isStruck = isImpact(group.row);
+        if (!anyLane(isStruck)) continue;
+        const Wide lanes = isStruck ? wideOf(1) : Wide{};
+        struck += lanesOf(lanes);
+        activateLanes(group, lanes, active);
+    }
+    return struck;
+}
+
 } // namespace
 
 bool BallRows::recordApproach(std::span<const SolverBody> bodies, const StepSettings& settings,
@@ -242,16 +260,7 @@ double BallRows::relax(std::span<SolverBody> bodies, std::span<const Displacemen
     return residual;
 }
 
-int BallRows::activate(const ActiveBodies& active) const {
-    int struck = 0;
-    for (const BallGroup& group : m_groups) {
-        if (group.idle || !group.bounces) continue;
-        const Wide lanes = isImpact(group.row) ? wideOf(1) : Wide{};
-        struck += lanesOf(lanes);
-        activateLanes(group, lanes, active);
-    }
-    return struck;
-}
+int BallRows::activate(const ActiveBodies& active) const { return passActivate(m_groups, active); }
 
 int BallRows::rebound(std::span<SolverBody> bodies, std::span<const Displacement> moved,
                       const StepSettings& settings, int passes, const ActiveBodies& active,
@@ -271,7 +280,7 @@ int BallRows::rebound(std::span<SolverBody> bodies, std::span<const Displacement
     int pass = 1;
     while (pass <= passes && strikes(pass)) ++pass;
     workers.forRanges(m_groups.size(), fewShared, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) forgetImpact(m_groups[i], bodies.data(), settings.resting);
+        passForget(std::span(m_groups).subspan(begin, end - begin), bodies.data(), settings.resting);
     });
     return std::min(pass, passes);
 }

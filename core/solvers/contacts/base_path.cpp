@@ -127,9 +127,9 @@ bool BasePath::isUnchanged(const State& state) const {
     });
 }
 
-bool BasePath::renew(const SteppedInput& input, double substep, double time, double skin,
-                     Neighbours& neighbours, Broadphase& broadphase, Manifolds& manifolds) {
-    if (!isUnchanged(input.state)) {
+bool BasePath::renew(const SteppedInput& input, double time, double skin, Neighbours& neighbours,
+                     Broadphase& broadphase, Manifolds& manifolds) {
+    if (input.isFirst && !isUnchanged(input.state)) { // within a frame nobody else moves them
         markIslands([](BodyIndex) { return true; });
         return false;
     }
@@ -137,7 +137,7 @@ bool BasePath::renew(const SteppedInput& input, double substep, double time, dou
     for (const SteppedMotion& block : m_blocks) all += block.bodies().size();
     for (const Renewed& renewed : m_renewed) m_renewal[renewed.body] = 0;
     m_renewed.clear();
-    findOutrun(input, substep, time, skin, neighbours);
+    findOutrun(input, time, skin, neighbours);
     if (m_renewed.empty()) return !anyMarked();
     if (partHere * all < input.bodies.mobileBodies.size()) {
         markIslands([](BodyIndex) { return true; });
@@ -175,8 +175,7 @@ void BasePath::orderWhereMany() {
 }
 
 // Finds the bodies that may move beyond their reach, and gives them a new one.
-void BasePath::findOutrun(const SteppedInput& input, double substep, double time, double skin,
-                          const Neighbours& neighbours) {
+void BasePath::findOutrun(const SteppedInput& input, double time, double skin, const Neighbours& neighbours) {
     m_room.resize(input.bodies.count());
     for (const SteppedMotion& block : m_blocks) {
         const std::span<const BodyIndex> bodies = block.bodies();
@@ -185,8 +184,7 @@ void BasePath::findOutrun(const SteppedInput& input, double substep, double time
             for (std::size_t n = begin; n < end; ++n) {
                 const BodyIndex i = bodies[n];
                 m_room[i] = roomOf(input, i);
-                const double path = pathOf(input, i, substep, neighbours);
-                m_isOutrun[n] = Neighbours::reachFactor * path > m_room[i] ? 1 : 0;
+                m_isOutrun[n] = neighbours.reach(i) > m_room[i] ? 1 : 0;
             }
         });
         for (std::size_t n = 0; n < bodies.size(); ++n) {

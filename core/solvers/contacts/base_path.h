@@ -60,10 +60,11 @@ class BasePath {
     /// By body: the number of its block; 0 for bodies that are not on the base path.
     std::span<const std::uint8_t> blockOf() const { return m_block; }
     std::size_t islands() const;
-    /// Ensures that the pairs are valid for another `substep` [s]. Bodies that may move beyond their reach,
-    /// or be struck by such a body, get a new reach for `time` [s] and `skin` times their size, and the pairs
-    /// within it. False if some islands are marked: those must leave.
-    bool renew(const SteppedInput& input, double substep, double time, double skin, Neighbours& neighbours,
+    /// Ensures that the pairs are valid for another substep, for which the neighbours have followed the
+    /// bodies. Bodies that may move beyond their reach, or be struck by such a body, get a new reach for
+    /// `time` [s] and `skin` times their size, and the pairs within it. False if some islands are marked:
+    /// those must leave. All do when a frame begins in which a body is elsewhere than the last one left it.
+    bool renew(const SteppedInput& input, double time, double skin, Neighbours& neighbours,
                Broadphase& broadphase, Manifolds& manifolds);
 
     /// Computes the reach of bodies that are to enter, ascending: how far they may move within `time` [s],
@@ -197,8 +198,7 @@ class BasePath {
                Neighbours::displacement(input.bodies, body, m_origin[body], input.state.pose[body]);
     }
     bool isUnchanged(const State& state) const;
-    void findOutrun(const SteppedInput& input, double substep, double time, double skin,
-                    const Neighbours& neighbours);
+    void findOutrun(const SteppedInput& input, double time, double skin, const Neighbours& neighbours);
     double ownReach(const SteppedInput& input, BodyIndex body, double time, double skin,
                     const Neighbours& neighbours) const;
     static double kickOf(const SteppedInput& input, BodyIndex body, BodyIndex striker,

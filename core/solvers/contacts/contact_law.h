@@ -132,7 +132,7 @@ CAROM_INLINE Wide3 changeIn(const Wide& lanes, const Row& before, const Wide3& c
 template<class Group>
 CAROM_INLINE void activateLanes(const Group& group, const Wide& lanes, const ActiveBodies& active,
                                 std::uint8_t pass = 1) {
-    if (!anyLane(larger(lanes, Wide{}))) return;
+    if (!anyLane(lanes > Wide{})) return;
     for (std::size_t lane = 0; lane < wideLanes; ++lane) {
         if (!(lanes[lane] > 0)) continue;
         for (const std::uint32_t body : {group.a[lane], group.b[lane]})

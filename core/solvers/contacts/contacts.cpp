@@ -288,8 +288,8 @@ void Contacts::findMembers(const SolverInput& input) {
 
 // False if some bodies must leave the base path.
 bool Contacts::renewBase(const SolverInput& input) {
-    return m_base.renew(stepped(input), input.substep, reachTime(input, input.parts * input.substep),
-                        lastingSkin, m_neighbours, input.broadphase, m_found.manifolds());
+    return m_base.renew(stepped(input), reachTime(input, input.parts * input.substep), lastingSkin,
+                        m_neighbours, input.broadphase, m_found.manifolds());
 }
 
 // Makes members of bodies that fly or sleep and that members may reach, and of those that these may reach.

@@ -202,12 +202,10 @@ void Neighbours::forget() {
     m_outrun.clear();
 }
 
-bool Neighbours::covers(BodyIndex body, double room) {
-    ask(body, room);
-    if (m_moved[body] + room <= m_skin[body]) return true;
+// The next search gives the body a skin that covers this.
+void Neighbours::widen(BodyIndex body, double room) {
     m_room[body] = roominess * room;
     m_outrun.push_back(body);
-    return false;
 }
 
 void Neighbours::noteMoved(const Bodies& bodies, const State& state, BodyIndex body) {

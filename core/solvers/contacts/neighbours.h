@@ -104,7 +104,12 @@ class Neighbours {
 
     /// Whether the list has all pairs that a body can meet within `room` [m] of its present place. If not,
     /// the body is noted, and search() must be called.
-    bool covers(BodyIndex body, double room);
+    bool covers(BodyIndex body, double room) {
+        ask(body, room);
+        if (m_moved[body] + room <= m_skin[body]) return true;
+        widen(body, room);
+        return false;
+    }
 
     /// The same for what it can meet while the others follow their courses for the last given duration.
     bool coversAhead(BodyIndex body, double room);
@@ -197,6 +202,7 @@ class Neighbours {
         m_asked[body] = std::max(m_asked[body], room);
         m_askedLately[body] = std::max(m_askedLately[body], room);
     }
+    void widen(BodyIndex body, double room);
     void narrow(const Bodies& bodies, std::span<const BodyIndex> list);
     void renewSkin(const Bodies& bodies, const State& state, BodyIndex body);
     double movedFrom(const Bodies& bodies, const State& state, BodyIndex body) const;

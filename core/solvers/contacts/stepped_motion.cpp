@@ -3,7 +3,6 @@
 
 #include "core/base/wide.h"
 #include "core/dynamics/contact_memory.h"
-#include "core/dynamics/energy.h"
 #include "core/dynamics/free_rotation.h"
 #include "core/math/rotation.h"
 #include "core/solvers/contacts/contact_settings.h"
@@ -89,6 +88,7 @@ void SteppedMotion::begin(const Bodies& bodies, const Division& division, double
 
 void SteppedMotion::addIsland(const SteppedInput& input, std::span<const BodyIndex> list,
                               std::span<const std::uint32_t> springs) {
+    m_isAfterKnown = false;
     const std::uint32_t island = static_cast<std::uint32_t>(m_groups.size());
     m_groups.push_back({.joined = island, .bodies = list.size()});
     for (const BodyIndex body : list) {
@@ -197,8 +197,10 @@ SteppedReport SteppedMotion::advance(const SteppedInput& input, Manifolds& manif
     if (std::exchange(m_isOrderedSoon, false) || input.isFirst) order(input);
     if (!m_areStillNoted) noteStill(input, manifolds);
     SteppedReport report;
-    Invariants before;
-    if (input.ledger != nullptr) before = invariantsOf(input.bodies, m_list, input.state, input.gravity);
+    const bool isKnown = std::exchange(m_isAfterKnown, false) && !input.isFirst;
+    if (input.ledger != nullptr && !isKnown)
+        m_after = invariantsOf(input.bodies, m_list, input.state, input.gravity);
+    const Invariants before = m_after;
     m_step = part * m_substep / (m_division.looks * m_division.steps);
     for (int k = 0; k < m_division.looks; ++k) {
         look(input, m_step * m_division.steps, manifolds, report);
@@ -214,9 +216,10 @@ SteppedReport SteppedMotion::advance(const SteppedInput& input, Manifolds& manif
     if (m_still.any()) m_still.takeSamples();
     if (wakeUnbalanced(input, StillBodies::toMoveOn)) noteStill(input, manifolds);
     if (input.ledger != nullptr) { // impulses of a sweep are not told apart: all are recorded under Contact
-        const Invariants after = invariantsOf(input.bodies, m_list, input.state, input.gravity);
-        recordDifference(before, after, weightOf(input.bodies, m_list, part * m_substep * input.gravity),
+        m_after = invariantsOf(input.bodies, m_list, input.state, input.gravity);
+        recordDifference(before, m_after, weightOf(input.bodies, m_list, part * m_substep * input.gravity),
                          LedgerAccount::Contact, *input.ledger);
+        m_isAfterKnown = true;
     }
     return report;
 }
@@ -576,6 +579,7 @@ std::size_t SteppedMotion::bytes() const {
 void SteppedMotion::clear() {
     for (const BodyIndex body : m_list) m_local[body] = 0;
     m_list.clear();
+    m_isAfterKnown = false;
 }
 
 } // namespace carom

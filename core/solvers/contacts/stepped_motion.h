@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/scratch.h"
+#include "core/dynamics/energy.h"
 #include "core/dynamics/forced_steps.h"
 #include "core/dynamics/ledger.h"
 #include "core/dynamics/parallel.h"
@@ -370,12 +371,17 @@ class SteppedMotion {
     /// Bodies that one thread moves at least; one takes some 10 ns. At half, waking a thread costs nearly
     /// what it saves; at twice, islands of a thousand bodies are moved by one.
     static constexpr std::size_t fewAwake = 512;
-    /// Calls work(number) for all bodies that do not stand still.
+    /// Calls work(number) for all bodies of a list.
+    template<class Work>
+    static void forEachOf(std::span<const std::uint32_t> list, Workers& workers, const Work& work) {
+        workers.forRanges(list.size(), fewAwake, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) work(list[i]);
+        });
+    }
+    /// The same for all that do not stand still.
     template<class Work>
     void forAwake(Workers& workers, const Work& work) const {
-        workers.forRanges(m_awake.size(), fewAwake, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t i = begin; i < end; ++i) work(m_awake[i]);
-        });
+        forEachOf(m_awake, workers, work);
     }
     void renewMasses();
     /// A ball without springs: its orientation is not used before the next look.
@@ -414,6 +420,8 @@ class SteppedMotion {
 
     Division m_division;
     double m_substep = 0, m_step = 0; // [s]
+    Invariants m_after;               // of the bodies, with a ledger, as the last substep left them
+    bool m_isAfterKnown = false;      // the same bodies are here since
     std::vector<BodyIndex> m_list;
     std::vector<std::uint32_t> m_local; // by body of the scene: its number in the arrays below, or 0
     // By number; 0 cannot move.
@@ -428,6 +436,8 @@ class SteppedMotion {
     double m_heldDeepest = 0;       // overlap of these [m]
     Scratch<std::vector<std::uint32_t>> m_candidates, m_awake; // numbers; m_awake: of those that move
     Scratch<std::vector<std::uint32_t>> m_moving;              // into m_general: pairs of which one moves
+    Scratch<std::vector<std::uint32_t>> m_paired;              // numbers of m_awake in such pairs
+    Scratch<std::vector<std::uint8_t>> m_isPaired;             // by number: in such a pair
     Scratch<std::vector<BodyIndex>> m_stopped;
     Scratch<std::vector<std::uint32_t>> m_part; // by number: the least number of its part
     bool m_arePartsFound = false;               // since the last look

@@ -40,15 +40,23 @@ void SteppedMotion::look(const SteppedInput& input, double duration, Manifolds& 
         std::max({report.maxPenetration, m_deepest, m_heldDeepest, m_balls.heldDeepest()});
 }
 
-// Lists the bodies that do not stand still, and the pairs with such a body that are not of two balls.
+// Lists the bodies that do not stand still, the pairs with such a body that are not of two balls, and the
+// bodies of these pairs.
 void SteppedMotion::findMoving() {
-    m_awake.clear();
-    for (std::uint32_t i = 1; i < m_bodies.size(); ++i)
-        if (!m_still.is(i)) m_awake.push_back(i);
     m_moving.clear();
+    m_isPaired.assign(m_bodies.size(), 0);
     for (std::uint32_t number = 0; number < m_general.size(); ++number) {
-        const auto [a, b] = m_entries[m_general[number]].pair;
-        if (!m_still.is(m_local[a]) || !m_still.is(m_local[b])) m_moving.push_back(number);
+        const auto [a, b] = numbersOf(m_entries[m_general[number]].pair);
+        if (m_still.is(a) && m_still.is(b)) continue;
+        m_moving.push_back(number);
+        m_isPaired[a] = m_isPaired[b] = 1;
+    }
+    m_awake.clear();
+    m_paired.clear();
+    for (std::uint32_t i = 1; i < m_bodies.size(); ++i) {
+        if (m_still.is(i)) continue;
+        m_awake.push_back(i);
+        if (m_isPaired[i] != 0) m_paired.push_back(i);
     }
 }
 
@@ -237,7 +245,7 @@ void SteppedMotion::setRow(const ManifoldInput& here, const Placed& placed, Mani
 
 void SteppedMotion::noteTravel(const SteppedInput& input, double duration) {
     m_travel.assign(m_bodies.size(), {});
-    forAwake(input.workers, [&](std::uint32_t i) {
+    forEachOf(m_paired, input.workers, [&](std::uint32_t i) {
         const BodyIndex body = m_list[i - 1];
         const SolverBody& from = m_bodies[i];
         const double radius = from.roundInverse > 0 ? 0 : input.bodies.boundingRadius[body];

@@ -88,7 +88,7 @@ class Entered {
     bool renew(BasePath& which, const SteppedInput& with, Manifolds& itsManifolds) {
         if (!m_neighbours.follow(bodies, with.state, bodies.mobileBodies, m_gravity, substep))
             m_neighbours.search(bodies, with.state, *m_broadphase);
-        return which.renew(with, substep, frame, skin, m_neighbours, *m_broadphase, itsManifolds);
+        return which.renew(with, frame, skin, m_neighbours, *m_broadphase, itsManifolds);
     }
     void advance() { path.advance(input(), manifolds); }
     /// A substep; all enter anew if the pairs do not serve for it.
