@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cstddef>
 
 namespace carom {
 namespace {
@@ -19,21 +20,31 @@ CAROM_INLINE Wide3 choose(const auto& where, const Wide3& one, const Wide3& othe
     return {where ? one.x : other.x, where ? one.y : other.y, where ? one.z : other.z};
 }
 
+/// The vectors of a group, from `radiusA` to the end of its row, and where they begin as doubles.
+constexpr std::size_t valuesOfGroup =
+    (offsetof(BallGroup, row) + sizeof(BallRow) - offsetof(BallGroup, radiusA)) / sizeof(Wide);
+static_assert(valuesOfGroup == 20);
+const double* valuesOf(const BallGroup& group) { return reinterpret_cast<const double*>(&group.radiusA); }
+double* valuesOf(BallGroup& group) { return reinterpret_cast<double*>(&group.radiusA); }
+
+/// Copies one lane of `count` vectors.
+CAROM_INLINE void copyValues(std::size_t count, const double* from, std::size_t lane, double* to,
+                             std::size_t toLane) {
+    for (std::size_t k = 0; k < count; ++k) to[wideLanes * k + toLane] = from[wideLanes * k + lane];
+}
+
+/// Makes `count` vectors of four, of each of which the pointer is to the lane that is wanted.
+CAROM_INLINE void gatherValues(std::size_t count, const std::array<const double*, wideLanes>& from,
+                               double* to) {
+    for (std::size_t k = 0; k < wideLanes * count; k += wideLanes)
+        storeWide(to + k, Wide{from[0][k], from[1][k], from[2][k], from[3][k]});
+}
+
 /// One pair of a group, with its rows.
 void copyLane(const BallGroup& from, std::size_t lane, BallGroup& to, std::size_t toLane) {
     to.a[toLane] = from.a[lane];
     to.b[toLane] = from.b[lane];
-    for (std::size_t k = 0; k < 3; ++k) {
-        to.normal[k][toLane] = from.normal[k][lane];
-        to.tangent[k][toLane] = from.tangent[k][lane];
-    }
-    for (Wide BallGroup::*value :
-         {&BallGroup::radiusA, &BallGroup::radiusB, &BallGroup::friction, &BallGroup::restitution,
-          &BallGroup::push, &BallGroup::hard, &BallGroup::gap})
-        (to.*value)[toLane] = (from.*value)[lane];
-    for (Wide BallRow::*value : {&BallRow::massNormal, &BallRow::massTangent, &BallRow::normal,
-                                 &BallRow::along1, &BallRow::along2, &BallRow::approach, &BallRow::carried})
-        (to.row.*value)[toLane] = (from.row.*value)[lane];
+    copyValues(valuesOfGroup, valuesOf(from), lane, valuesOf(to), toLane);
 }
 
 } // namespace
@@ -211,26 +222,28 @@ void BallRows::add(const BallPair& pair, std::uint32_t source, std::uint32_t imm
     fixed.source[lane] = source;
 }
 
-void BallRows::copyFixed(const Fixed& from, std::size_t lane, Fixed& to, std::size_t toLane) {
-    for (std::size_t k = 0; k < 3; ++k) to.place[k][toLane] = from.place[k][lane];
-    for (Wide Fixed::*value : {&Fixed::wall, &Fixed::massNormal, &Fixed::massTangent, &Fixed::isHeld})
-        (to.*value)[toLane] = (from.*value)[lane];
-    for (std::size_t k = 0; k < 3; ++k) to.held[k][toLane] = from.held[k][lane];
-    to.source[toLane] = from.source[lane];
-}
-
 // Makes a group of the lanes of old ones that are to be in it.
-void BallRows::fillGroup(std::size_t i, const BallGroup& empty) {
+void BallRows::fillGroup(std::size_t i, const BallGroup& empty, const Fixed& emptyFixed) {
+    constexpr std::size_t valuesOfFixed = offsetof(Fixed, source) / sizeof(Wide);
     BallGroup& to = m_groups[i];
+    Fixed& toFixed = m_fixed[i];
+    std::array<const double*, wideLanes> values, fixedValues;
     to.bounces = to.idle = to.watched = to.held = false;
     for (std::size_t lane = 0; lane < wideLanes; ++lane) {
         const std::uint32_t from = m_from[i][lane];
         const bool isUsed = from != noPair;
-        copyLane(isUsed ? m_before[from / wideLanes] : empty, isUsed ? from % wideLanes : lane, to, lane);
-        copyFixed(isUsed ? m_fixedBefore[from / wideLanes] : Fixed{}, isUsed ? from % wideLanes : lane,
-                  m_fixed[i], lane);
-        to.bounces = to.bounces || to.restitution[lane] > 0;
+        const BallGroup& group = isUsed ? m_before[from / wideLanes] : empty;
+        const Fixed& fixed = isUsed ? m_fixedBefore[from / wideLanes] : emptyFixed;
+        const std::size_t at = isUsed ? from % wideLanes : lane;
+        to.a[lane] = group.a[at];
+        to.b[lane] = group.b[at];
+        to.bounces = to.bounces || group.restitution[at] > 0;
+        toFixed.source[lane] = fixed.source[at];
+        values[lane] = valuesOf(group) + at;
+        fixedValues[lane] = reinterpret_cast<const double*>(&fixed) + at;
     }
+    gatherValues(valuesOfGroup, values, valuesOf(to));
+    gatherValues(valuesOfFixed, fixedValues, reinterpret_cast<double*>(&toFixed));
 }
 
 void BallRows::reorder(std::span<const std::uint32_t> sources, std::uint32_t immobile,
@@ -265,7 +278,7 @@ void BallRows::reorder(std::span<const std::uint32_t> sources, std::uint32_t imm
     m_fixed.resize(m_from.size());
     const BallGroup empty = emptyGroup(immobile);
     workers.forRanges(m_from.size(), fewShared, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) fillGroup(i, empty);
+        for (std::size_t i = begin; i < end; ++i) fillGroup(i, empty, {});
     });
     markHeld();
     countGroups();
@@ -352,12 +365,14 @@ void BallRows::hold(std::span<const std::uint8_t> still, std::span<const std::ui
     countGroups();
 }
 
-// Marks the groups of which all pairs are held.
-void BallRows::markHeld() {
+// Marks the groups of which all pairs are held. Every group has a pair.
+CAROM_WIDE void BallRows::markHeld() {
     Wide deepest{};
     m_heldContacts = 0;
     for (std::size_t i = 0; i < m_groups.size(); ++i) {
         const Fixed& fixed = m_fixed[i];
+        m_groups[i].held = false;
+        if (!anyLane(fixed.isHeld)) continue;
         deepest = fixed.isHeld > Wide{} ? larger(deepest, -m_groups[i].gap) : deepest;
         bool isHeld = true;
         for (std::size_t lane = 0; lane < wideLanes; ++lane) {

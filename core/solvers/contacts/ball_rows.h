@@ -186,11 +186,12 @@ class BallRows {
     void forEachPressing(std::span<const std::uint8_t> bodies, const Visit& visit) const {
         for (std::size_t i = 0; i < m_groups.size(); ++i) visitContacts(bodies, i, true, visit);
     }
-    /// visit(Contact) for every pair with a body that stands still that is not held, with or without one.
+    /// visit(Contact) for every pair with a body that stands still that is not held, with or without one, as
+    /// of the last refresh; pairs that cannot meet may be left out.
     template<class Visit>
     void forEachBeside(std::span<const std::uint8_t> still, const Visit& visit) const {
         for (std::size_t i = 0; i < m_groups.size(); ++i)
-            if (!m_groups[i].held) visitContacts(still, i, false, visit);
+            if (!m_groups[i].held && !m_groups[i].idle) visitContacts(still, i, false, visit);
     }
 
   private:
@@ -235,13 +236,11 @@ class BallRows {
     static Count refreshAll(const Refresh& with);
     static bool findStruckIn(const Refresh& with);
     static void refreshGroup(const Refresh& with, std::size_t group, const Wide* struck);
-    void fillGroup(std::size_t i, const BallGroup& empty);
+    void fillGroup(std::size_t i, const BallGroup& empty, const Fixed& emptyFixed);
     void countGroups();
     void markHeld();
     static void setMasses(const BallGroup& group, std::size_t lane, std::span<const SolverBody> bodies,
                           Fixed& fixed);
-
-    static void copyFixed(const Fixed& from, std::size_t lane, Fixed& to, std::size_t toLane);
 
     std::vector<BallGroup> m_groups;
     std::vector<Fixed> m_fixed;               // by group

@@ -224,11 +224,12 @@ bool BasePath::findStruck(const SteppedInput& input, double time, double skin, N
             if (input.bodies.mobile[k] == 0 || !has(k)) continue;
             if (isNarrowed && areWithin(input.bodies, input.state, {i, k}, reach + m_reach[k]))
                 raiseTo(m_renewed[n].reach, reach + kickOf(input, i, k, neighbours));
+            const double room = m_renewal[k] > 0 ? m_renewed[m_renewal[k] - 1].reach : m_room[k];
+            if (!areWithin(input.bodies, input.state, {i, k}, reach + room)) continue;
             const double kick = kickOf(input, k, i, neighbours);
             if (!(kick > 0)) continue;
-            const double room = m_renewal[k] > 0 ? m_renewed[m_renewal[k] - 1].reach : m_room[k];
             const double after = ownReach(input, k, time, skin, neighbours) + kick;
-            if (room >= after || !areWithin(input.bodies, input.state, {i, k}, reach + room)) continue;
+            if (room >= after) continue;
             if (m_renewal[k] == 0) {
                 m_renewed.push_back({k, after});
                 m_renewal[k] = static_cast<std::uint32_t>(m_renewed.size());
@@ -237,7 +238,7 @@ bool BasePath::findStruck(const SteppedInput& input, double time, double skin, N
             }
         }
     }
-    bool covered = coversThoseHere(input, neighbours);
+    bool covered = coversThoseHere(neighbours);
     for (const Renewed& renewed : m_renewed)
         covered = neighbours.covers(renewed.body, renewed.reach) && covered;
     return covered;
@@ -316,7 +317,7 @@ void BasePath::findMissing(const SteppedInput& input, BodyIndex i, const Neighbo
 bool BasePath::prepare(const SteppedInput& input, std::span<const BodyIndex> list, double time, double skin,
                        Neighbours& neighbours) {
     const Bodies& bodies = input.bodies;
-    bool covered = coversThoseHere(input, neighbours);
+    bool covered = coversThoseHere(neighbours);
     m_kick.resize(bodies.count());
     m_room.resize(bodies.count());
     input.workers.forRanges(list.size(), fewBodies, [&](std::size_t begin, std::size_t end) {
@@ -360,12 +361,12 @@ double BasePath::marginOf(const SteppedInput& input, BodyPair pair) const {
 
 // Bodies that enter or have a new reach get pairs with bodies that are on the base path already. The
 // neighbour list must hold all of these, or the pairs would depend on when the list was made.
-bool BasePath::coversThoseHere(const SteppedInput& input, Neighbours& neighbours) const {
+bool BasePath::coversThoseHere(Neighbours& neighbours) const {
     bool covered = true;
     for (const SteppedMotion& block : m_blocks) {
         if (block.isEmpty()) continue;
         for (const BodyIndex i : block.bodies())
-            if (m_renewal[i] == 0) covered = neighbours.covers(i, roomLeft(input, i)) && covered;
+            if (m_renewal[i] == 0) covered = neighbours.covers(i, std::max(0.0, m_room[i])) && covered;
     }
     return covered;
 }

@@ -213,7 +213,7 @@ class BasePath {
     const SteppedMotion& blockWith(BodyIndex body) const { return m_blocks[m_block[body] - 1u]; }
     double roomLeft(const SteppedInput& input, BodyIndex body) const;
     double marginOf(const SteppedInput& input, BodyPair pair) const;
-    bool coversThoseHere(const SteppedInput& input, Neighbours& neighbours) const;
+    bool coversThoseHere(Neighbours& neighbours) const;
     void findPairs(const SteppedInput& input, std::span<const BodyIndex> list, const Neighbours& neighbours,
                    std::span<Manifolds::Entry> known);
     ContactCount countOf(const Island& island, const Manifolds& manifolds) const;

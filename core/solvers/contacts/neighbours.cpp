@@ -119,18 +119,6 @@ double Neighbours::surfaceSpeed(const Bodies& bodies, const State& state, BodyIn
     return speed + state.angularVelocity[body].norm() * bodies.boundingRadius[body];
 }
 
-double Neighbours::turnIn(const Bodies& bodies, const State& state, BodyIndex body, double time) {
-    if (std::holds_alternative<Sphere>(bodies.shape[body])) return 0;
-    return std::min(2.0, state.angularVelocity[body].norm() * time) * bodies.boundingRadius[body];
-}
-
-double Neighbours::displacement(const Bodies& bodies, BodyIndex body, const Pose& from, const Pose& to) {
-    const double shift = (to.position - from.position).norm();
-    if (std::holds_alternative<Sphere>(bodies.shape[body])) return shift;
-    const double cosine = from.orientation.dot(to.orientation); // of half the angle turned
-    return shift + 2 * bodies.boundingRadius[body] * std::sqrt(std::max(0.0, 1 - cosine * cosine));
-}
-
 // A spring moves its ends by at most s (ωh)²/2, where s is the larger of its present stretch and that at
 // unchanged velocities, and by at most twice the amplitude. A damper moves them by at most the distance that
 // they move without it. Force terms give their own bound.
@@ -251,10 +239,6 @@ void Neighbours::renewSkin(const Bodies& bodies, const State& state, BodyIndex b
     m_course[body] = {state.pose[body].position, state.velocity[body], m_now, m_now + horizon};
     m_boxes[m_number[body]] =
         swept(grown(bodies.boxAt(body, state.pose[body]), m_skin[body]), horizon * state.velocity[body]);
-}
-
-double Neighbours::movedFrom(const Bodies& bodies, const State& state, BodyIndex body) const {
-    return displacement(bodies, body, {m_course[body].placeAt(m_now), m_orientation[body]}, state.pose[body]);
 }
 
 // Keeps the lists, except for pairs of bodies that have left them; these are found again.

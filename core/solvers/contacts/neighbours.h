@@ -132,10 +132,15 @@ class Neighbours {
     static double surfaceSpeed(const Bodies& bodies, const State& state, BodyIndex body);
     /// An upper bound of the way of a body's surface by turning [m], in a time [s] in which its centre stays:
     /// no point is further from that than the bounding radius. A sphere's spin does not count.
-    static double turnIn(const Bodies& bodies, const State& state, BodyIndex body, double time);
+    static double turnIn(const Bodies& bodies, const State& state, BodyIndex body, double time) {
+        if (std::holds_alternative<Sphere>(bodies.shape[body])) return 0;
+        return std::min(2.0, state.angularVelocity[body].norm() * time) * bodies.boundingRadius[body];
+    }
 
     /// An upper bound of the displacement of any point of a body [m].
-    static double displacement(const Bodies& bodies, BodyIndex body, const Pose& from, const Pose& to);
+    static double displacement(const Bodies& bodies, BodyIndex body, const Pose& from, const Pose& to) {
+        return displacement(bodies, body, from.position, from.orientation, to);
+    }
 
     /// How far a body's surface can move in the last given duration [m].
     double reach(BodyIndex body) const { return reachFactor * m_path[body]; }
@@ -205,7 +210,17 @@ class Neighbours {
     void widen(BodyIndex body, double room);
     void narrow(const Bodies& bodies, std::span<const BodyIndex> list);
     void renewSkin(const Bodies& bodies, const State& state, BodyIndex body);
-    double movedFrom(const Bodies& bodies, const State& state, BodyIndex body) const;
+    double movedFrom(const Bodies& bodies, const State& state, BodyIndex body) const {
+        return displacement(bodies, body, m_course[body].placeAt(m_now), m_orientation[body],
+                            state.pose[body]);
+    }
+    static double displacement(const Bodies& bodies, BodyIndex body, const Vec3& from, const Quat& oriented,
+                               const Pose& to) {
+        const double shift = (to.position - from).norm();
+        if (std::holds_alternative<Sphere>(bodies.shape[body])) return shift;
+        const double cosine = oriented.dot(to.orientation); // of half the angle turned
+        return shift + 2 * bodies.boundingRadius[body] * std::sqrt(std::max(0.0, 1 - cosine * cosine));
+    }
     bool areFewOutrun(const Bodies& bodies) const;
     void searchAll(const Bodies& bodies, const State& state, Broadphase& broadphase);
     void searchForOutrun(const Bodies& bodies, const State& state);

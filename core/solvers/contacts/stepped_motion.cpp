@@ -7,6 +7,7 @@
 #include "core/math/rotation.h"
 #include "core/solvers/contacts/contact_settings.h"
 #include "core/solvers/contacts/neighbours.h"
+#include "core/solvers/contacts/wide_bodies.h"
 
 #include <algorithm>
 #include <cmath>
@@ -47,6 +48,17 @@ StepSettings forBalls(StepSettings settings) {
     settings.hardness *= 0.54 / StepSettings{}.hardness;
     settings.damping = 60;
     return settings;
+}
+
+// The first body of a list whose velocity or spin is not finite, or 0.
+CAROM_WIDE std::uint32_t firstNotFinite(std::span<const SolverBody> bodies,
+                                        std::span<const std::uint32_t> list) {
+    for (const std::uint32_t i : list) {
+        const double* record = recordOf(bodies[i]);
+        const Wide motion = loadWide(record), turning = loadWide(record + 4); // masses are finite
+        if (anyLane((motion - motion) + (turning - turning))) return i;
+    }
+    return 0;
 }
 
 } // namespace
@@ -336,10 +348,9 @@ void SteppedMotion::step(const SteppedInput& input, double duration, Manifolds& 
     }
     limitEnergy(settings, input.workers, true);
     if (!m_links.empty()) limitSprings(input, settings, report);
-    for (const std::uint32_t i : std::span<const std::uint32_t>(m_awake)) {
-        const Vec3 velocity = vectorOf(m_bodies[i].velocity), spin = vectorOf(m_bodies[i].spin);
-        if (velocity.allFinite() && spin.allFinite()) continue;
-        report.loss = {m_list[i - 1], velocity.allFinite() ? "angular velocity" : "velocity"};
+    if (const std::uint32_t lost = firstNotFinite(m_bodies, m_awake); lost != immobile) {
+        const bool isVelocity = !vectorOf(m_bodies[lost].velocity).allFinite();
+        report.loss = {m_list[lost - 1], isVelocity ? "velocity" : "angular velocity"};
         return;
     }
     move(input, duration);

@@ -31,9 +31,11 @@ void SteppedMotion::divide(const SteppedInput& input) {
     m_divided.clear();
     for (std::uint32_t i = 1; i < m_island.size(); ++i)
         if (m_groups[m_island[i]].isUnordered) m_divided.push_back(i);
-    std::stable_sort(m_divided.begin(), m_divided.end(), [this](std::uint32_t one, std::uint32_t other) {
+    const auto isBefore = [this](std::uint32_t one, std::uint32_t other) {
         return m_island[one] < m_island[other];
-    });
+    };
+    if (!std::is_sorted(m_divided.begin(), m_divided.end(), isBefore))
+        std::stable_sort(m_divided.begin(), m_divided.end(), isBefore);
     for (auto from = m_divided.begin(); from != m_divided.end();) {
         const std::uint32_t island = m_island[*from];
         const auto to =
@@ -114,8 +116,10 @@ void SteppedMotion::orderBalls(const SteppedInput& input) {
 
 bool SteppedMotion::isNear(const SteppedInput& input, BodyPair pair) {
     const double a = input.bodies.boundingRadius[pair.a], b = input.bodies.boundingRadius[pair.b];
-    const double size = a > 0 && b > 0 ? std::min(a, b) : std::max(a, b); // a wall has no radius
-    return boundingGap(input.bodies, input.state, pair) <= nearPart * size;
+    if (!(a > 0 && b > 0)) // a wall has no radius
+        return boundingGap(input.bodies, input.state, pair) <= nearPart * std::max(a, b);
+    const double distance = (input.state.pose[pair.b].position - input.state.pose[pair.a].position).norm();
+    return distance - (a + b) <= nearPart * std::min(a, b);
 }
 
 } // namespace carom
