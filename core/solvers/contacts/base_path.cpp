@@ -143,11 +143,16 @@ bool BasePath::renew(const SteppedInput& input, double time, double skin, Neighb
         markIslands([](BodyIndex) { return true; });
         return false;
     }
-    m_fromOutrun = m_renewed;
-    while (!findStruck(input, time, skin, neighbours)) { // so that the pairs depend on the poses only
+    // Lists must cover all, so that the pairs depend on the poses only.
+    const bool coversAll = coversThoseHere(neighbours); // notes what it does not
+    if (!coversRenewed(neighbours) || !coversAll) neighbours.search(input.bodies, input.state, broadphase);
+    m_outrunners.assign(m_renewed.begin(), m_renewed.end());
+    while (true) {
+        findStruck(input, time, skin, neighbours);
+        if (coversRenewed(neighbours)) break;
         neighbours.search(input.bodies, input.state, broadphase);
         for (const Renewed& renewed : m_renewed) m_renewal[renewed.body] = 0;
-        m_renewed = m_fromOutrun;
+        m_renewed.assign(m_outrunners.begin(), m_outrunners.end());
         for (std::uint32_t n = 0; n < m_renewed.size(); ++n) m_renewal[m_renewed[n].body] = n + 1;
     }
     orderWhereMany();
@@ -215,9 +220,8 @@ double BasePath::kickOf(const SteppedInput& input, BodyIndex body, BodyIndex str
                     Neighbours::reachAfter(bodies, body, own, striker, neighbours.reach(striker)) - own);
 }
 
-// Extends the reach of bodies that one of these may strike, as prepare() would. False if the neighbours must
-// be searched and this function be called again.
-bool BasePath::findStruck(const SteppedInput& input, double time, double skin, Neighbours& neighbours) {
+// Extends the reach of bodies that one of these may strike, as prepare() would.
+void BasePath::findStruck(const SteppedInput& input, double time, double skin, const Neighbours& neighbours) {
     for (std::size_t n = 0, outrun = m_renewed.size(); n < outrun; ++n) {
         const auto [i, reach, isNarrowed] = m_renewed[n];
         for (const BodyIndex k : neighbours.around(i)) {
@@ -238,7 +242,11 @@ bool BasePath::findStruck(const SteppedInput& input, double time, double skin, N
             }
         }
     }
-    bool covered = coversThoseHere(neighbours);
+}
+
+// False if the neighbours must be searched.
+bool BasePath::coversRenewed(Neighbours& neighbours) const {
+    bool covered = true;
     for (const Renewed& renewed : m_renewed)
         covered = neighbours.covers(renewed.body, renewed.reach) && covered;
     return covered;

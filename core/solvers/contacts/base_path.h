@@ -203,7 +203,8 @@ class BasePath {
                     const Neighbours& neighbours) const;
     static double kickOf(const SteppedInput& input, BodyIndex body, BodyIndex striker,
                          const Neighbours& neighbours);
-    bool findStruck(const SteppedInput& input, double time, double skin, Neighbours& neighbours);
+    void findStruck(const SteppedInput& input, double time, double skin, const Neighbours& neighbours);
+    bool coversRenewed(Neighbours& neighbours) const;
     void orderWhereMany();
     void findMissing(const SteppedInput& input, BodyIndex i, const Neighbours& neighbours,
                      Missing& missing) const;
@@ -245,7 +246,7 @@ class BasePath {
     Scratch<std::vector<double>> m_kick;                               // by body, of those that enter [m]
     Scratch<std::vector<double>> m_room; // by body: what is left of its reach in this substep [m]
     std::vector<Renewed> m_renewed;
-    Scratch<std::vector<Renewed>> m_fromOutrun; // m_renewed as findOutrun() leaves it
+    Scratch<std::vector<Renewed>> m_outrunners; // of these, before others that they may strike
     std::vector<std::uint32_t> m_renewal;       // by body: its number in m_renewed and 1, or 0
     Scratch<std::vector<Present>> m_present;    // pairs of renewed bodies that are here
     Scratch<PairSort<Present>> m_sort;

@@ -103,7 +103,8 @@ class LanePacker {
     void addGroup(std::size_t kind, std::uint8_t free) {
         const std::size_t group = m_free.size();
         m_free.push_back(free);
-        for (std::vector<std::uint64_t>& open : m_open) open.resize(group / wordBits + 1, 0);
+        if (group % wordBits == 0)
+            for (std::vector<std::uint64_t>& open : m_open) open.push_back(0);
         if (free != 0) m_open[kind][group / wordBits] |= std::uint64_t{1} << group % wordBits;
     }
     void close(std::size_t group, std::size_t kind) {

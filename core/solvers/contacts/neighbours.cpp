@@ -159,13 +159,13 @@ bool Neighbours::follow(const Bodies& bodies, const State& state, std::span<cons
     const double fall = 0.5 * gravity.norm() * duration * duration;
     m_duration = duration;
     notePulls(bodies, state, duration);
-    const double fallInFrame = 0.5 * gravity.norm() * m_frame * m_frame;
+    const double fallInFrame = 0.5 * gravity.norm() * m_frame * m_frame, times = durationsIn(m_frame);
     bool serves = m_outrun.empty() && !m_isForgotten;
     for (const BodyIndex i : list) {
         const double radius = bodies.boundingRadius[i];
         const double turns = turnIn(bodies, state, i, duration);
         m_path[i] = state.velocity[i].norm() * duration + turns + fall + m_pull[i];
-        m_drift[i] = turnIn(bodies, state, i, m_frame) + fallInFrame + pull(i, m_frame);
+        m_drift[i] = turnIn(bodies, state, i, m_frame) + fallInFrame + m_pull[i] * times * times;
         m_moved[i] = movedFrom(bodies, state, i);
         const double leaves =
             (state.velocity[i] - m_course[i].velocityAt(m_now)).norm() * duration + turns + fall + m_pull[i];

@@ -147,7 +147,7 @@ class Neighbours {
     /// How far springs and force terms move it at most [m] in the last given duration, or in a longer `time`
     /// [s].
     double pull(BodyIndex body, double time) const {
-        const double times = std::max(1.0, time / m_duration);
+        const double times = durationsIn(time);
         return m_pull[body] * times * times;
     }
 
@@ -210,6 +210,8 @@ class Neighbours {
     void widen(BodyIndex body, double room);
     void narrow(const Bodies& bodies, std::span<const BodyIndex> list);
     void renewSkin(const Bodies& bodies, const State& state, BodyIndex body);
+    /// Of the last given one, at least 1.
+    double durationsIn(double time) const { return std::max(1.0, time / m_duration); }
     double movedFrom(const Bodies& bodies, const State& state, BodyIndex body) const {
         return displacement(bodies, body, m_course[body].placeAt(m_now), m_orientation[body],
                             state.pose[body]);

@@ -200,7 +200,7 @@ std::uint32_t SteppedMotion::partWith(std::uint32_t number) {
 }
 
 void SteppedMotion::joinParts(std::uint32_t a, std::uint32_t b) {
-    if (m_still.is(a) || m_still.is(b)) return;
+    if (m_part[a] == m_part[b] || m_still.is(a) || m_still.is(b)) return;
     const std::uint32_t one = partWith(a), other = partWith(b);
     m_part[std::max(one, other)] = std::min(one, other);
 }
