@@ -246,24 +246,17 @@ void BallRows::fillGroup(std::size_t i, const BallGroup& empty, const Fixed& emp
     gatherValues(valuesOfFixed, fixedValues, reinterpret_cast<double*>(&toFixed));
 }
 
-void BallRows::reorder(std::span<const std::uint32_t> sources, std::uint32_t immobile,
+void BallRows::reorder(std::span<const std::uint32_t> places, std::uint32_t immobile,
                        std::span<const SectionEnd> sections, Workers& workers) {
     std::swap<std::vector<BallGroup>>(m_groups, m_before);
     std::swap<std::vector<Fixed>>(m_fixed, m_fixedBefore);
     m_packer.restart();
     m_sections.clear();
     m_from.clear();
-    for (std::uint32_t i = 0; i < m_fixedBefore.size(); ++i)
-        for (std::uint32_t lane = 0; lane < wideLanes; ++lane) {
-            const std::uint32_t source = m_fixedBefore[i].source[lane];
-            if (source == noPair) continue;
-            if (m_laneOf.size() <= source) m_laneOf.resize(source + 1);
-            m_laneOf[source] = wideLanes * i + lane;
-        }
     forEachInSections(
-        sources.size(), sections,
+        places.size(), sections,
         [&](std::size_t i) {
-            const std::uint32_t from = m_laneOf[sources[i]];
+            const std::uint32_t from = places[i];
             const BallGroup& group = m_before[from / wideLanes];
             const LanePacker::Place place =
                 m_packer.place(group.a[from % wideLanes], group.b[from % wideLanes], immobile);
@@ -289,10 +282,9 @@ void BallRows::keep(std::span<const std::uint32_t> sources, std::span<const std:
     m_packer.restart();
     const BallGroup empty = emptyGroup(immobile);
     std::uint32_t kept = 0;
-    std::vector<std::uint32_t>& newPlace = m_laneOf; // of groups
-    newPlace.assign(m_groups.size() + 1, 0);
+    m_newGroup.assign(m_groups.size() + 1, 0);
     for (std::size_t i = 0; i < m_groups.size(); ++i) {
-        newPlace[i] = kept;
+        m_newGroup[i] = kept;
         BallGroup& group = m_groups[i];
         Fixed& fixed = m_fixed[i];
         unsigned used = 0;
@@ -318,10 +310,10 @@ void BallRows::keep(std::span<const std::uint32_t> sources, std::span<const std:
         }
         ++kept;
     }
-    newPlace[m_groups.size()] = kept;
+    m_newGroup[m_groups.size()] = kept;
     m_groups.resize(kept);
     m_fixed.resize(kept);
-    m_sections.renumber([&](std::uint32_t end) { return newPlace[end]; });
+    m_sections.renumber([&](std::uint32_t end) { return m_newGroup[end]; });
     if (!m_sections.isEmpty()) m_packer.closeAll(); // or pairs of other sections would come into them
     markHeld();
     countGroups();

@@ -84,9 +84,9 @@ class BallRows {
     /// numbers of sources and bodies. Lanes of removed pairs may be used again.
     void keep(std::span<const std::uint32_t> sources, std::span<const std::uint32_t> bodies,
               std::uint32_t immobile);
-    /// Sorts the pairs into the order of `sources`, as if they had been added in it; `sections` end within
-    /// it. Pairs that are added later are in none of these.
-    void reorder(std::span<const std::uint32_t> sources, std::uint32_t immobile,
+    /// Sorts the pairs at these places (forEachPlace) into their order, as if they had been added in it, and
+    /// leaves out all others; `sections` end within it. Pairs that are added later are in none of these.
+    void reorder(std::span<const std::uint32_t> places, std::uint32_t immobile,
                  std::span<const SectionEnd> sections = {}, Workers& workers = Workers::alone());
     /// Pairs of two bodies that stand still, by `still`, are held: they are not solved for, and keep their
     /// impulses until one of the bodies moves. Effective masses of others are computed from the present
@@ -138,12 +138,15 @@ class BallRows {
                 const StepSettings& settings, int passes, const ActiveBodies& active,
                 Workers& workers = Workers::alone());
 
-    /// visit(source) for every pair.
+    /// visit(source, place) for every pair; the place is that until pairs are kept or reordered.
     template<class Visit>
-    void forEachSource(const Visit& visit) const {
+    void forEachPlace(const Visit& visit) const {
+        std::uint32_t place = 0;
         for (const Fixed& fixed : m_fixed)
-            for (const std::uint32_t source : fixed.source)
-                if (source != noPair) visit(source);
+            for (const std::uint32_t source : fixed.source) {
+                if (source != noPair) visit(source, place);
+                ++place;
+            }
     }
     /// visit(source) for every pair with an impulse.
     template<class Visit>
@@ -246,9 +249,8 @@ class BallRows {
     std::vector<Fixed> m_fixed;               // by group
     Scratch<std::vector<BallGroup>> m_before; // of a new order
     Scratch<std::vector<Fixed>> m_fixedBefore;
-    Scratch<std::vector<std::array<std::uint32_t, wideLanes>>>
-        m_from;                                   // by group: 4 its group before + its lane
-    Scratch<std::vector<std::uint32_t>> m_laneOf; // by source, or by group
+    Scratch<std::vector<std::array<std::uint32_t, wideLanes>>> m_from; // by group and lane: its place before
+    Scratch<std::vector<std::uint32_t>> m_newGroup; // by group before: the number that it, or the next, keeps
     LanePacker m_packer;
     Sections m_sections;
     std::size_t m_active = 0, m_watched = 0; // groups

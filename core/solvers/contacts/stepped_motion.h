@@ -278,10 +278,10 @@ class SteppedMotion {
         Displacement moved;
         Vec3 shift = Vec3::Zero(), turn = Vec3::Zero(); ///< in the step [m], [rad]
     };
-    /// An entry.
-    struct Numbered {
+    /// A pair of balls, and its place among their rows.
+    struct PlacedPair {
         BodyPair pair;
-        std::uint32_t index = 0;
+        std::uint32_t place = 0;
     };
     /// How far a body moves until the end of a step, from its pose at the look.
     struct Coming {
@@ -476,8 +476,8 @@ class SteppedMotion {
     Scratch<std::vector<BodyFrame>> m_frames;
     Scratch<std::vector<std::uint32_t>> m_frameOf; // by number: its place in m_frames, if it has one
     Scratch<std::vector<Watched>> m_watched;
-    Scratch<std::vector<Numbered>> m_near, m_far; // entries of balls, to be put in order
-    Scratch<PairSort<Numbered>> m_sort;
+    Scratch<std::vector<PlacedPair>> m_near, m_far; // pairs of balls, to be put in order
+    Scratch<PairSort<PlacedPair>> m_sort;
     Scratch<std::vector<std::uint32_t>> m_order, m_added;
     Scratch<SectionPlan> m_plan;
     Scratch<Slabs> m_slabs;                                  // of an island

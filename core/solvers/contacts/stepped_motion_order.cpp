@@ -97,20 +97,20 @@ void SteppedMotion::dropGone() {
 void SteppedMotion::orderBalls(const SteppedInput& input) {
     m_near.clear();
     m_far.clear();
-    m_balls.forEachSource([&](std::uint32_t index) {
+    m_balls.forEachPlace([&](std::uint32_t index, std::uint32_t place) {
         Entry& entry = m_entries[index];
         if (entry.isGone) return;
         if (m_groups[m_island[numberOf(entry.pair)]].isUnordered) entry.isNear = isNear(input, entry.pair);
-        (entry.isNear ? m_near : m_far).push_back({entry.pair, index});
+        (entry.isNear ? m_near : m_far).push_back({entry.pair, place});
     });
     for (Group& group : m_groups) group.isUnordered = false;
-    for (std::vector<Numbered>* list : {&m_near, &m_far}) m_sort.sort(*list, input.bodies.count());
+    for (std::vector<PlacedPair>* list : {&m_near, &m_far}) m_sort.sort(*list, input.bodies.count());
     m_near.insert(m_near.end(), m_far.begin(), m_far.end());
     m_plan.make(m_island, m_slab, m_groups.size());
     const std::span<const SectionEnd> sections =
-        m_plan.sort(m_near, m_far, [this](const Numbered& numbered) { return numbersOf(numbered.pair); });
+        m_plan.sort(m_near, m_far, [this](const PlacedPair& placed) { return numbersOf(placed.pair); });
     m_order.clear();
-    for (const Numbered& numbered : m_near) m_order.push_back(numbered.index);
+    for (const PlacedPair& placed : m_near) m_order.push_back(placed.place);
     m_balls.reorder(m_order, immobile, sections, input.workers);
 }
 

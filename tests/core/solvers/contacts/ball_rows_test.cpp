@@ -499,7 +499,7 @@ class BallRowsTest : public QObject {
             for (std::size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[random.below(i)]);
             BallRows rows, others;
             reordered.fill(rows);
-            rows.reorder(order, reordered.immobile());
+            rows.reorder(placesOf(rows, order), reordered.immobile());
             for (const std::uint32_t i : order) others.add(added.pairs[i], i, added.immobile(), added.bodies);
             QCOMPARE(rows.groups(), others.groups());
             QCOMPARE(seenIn(rows, added.pairs.size()).sources, seenIn(others, added.pairs.size()).sources);
