@@ -12,6 +12,9 @@
 #    define CAROM_WIDE
 #endif
 
+/// Before a small function that is to be compiled as part of what calls it, for wide registers where that is.
+#define CAROM_INLINE [[gnu::always_inline]] inline
+
 #include <cmath>
 
 // Four doubles in one vector (SIMD). Loops over rows of a solver use this type explicitly, because the
@@ -26,21 +29,17 @@ using WideMask = decltype(Wide{} < Wide{}); ///< of each lane: all bits or none
 inline constexpr int wideLanes = 4;
 
 /// Four doubles from memory that is aligned to 32 bytes, and back.
-[[gnu::always_inline]] inline Wide loadWide(const double* from) {
-    return *reinterpret_cast<const Wide*>(from);
-}
-[[gnu::always_inline]] inline void storeWide(double* to, const Wide& value) {
-    *reinterpret_cast<Wide*>(to) = value;
-}
-[[gnu::always_inline]] inline Wide wideOf(double value) { return Wide{value, value, value, value}; }
-[[gnu::always_inline]] inline Wide smaller(const Wide& a, const Wide& b) { return a < b ? a : b; }
-[[gnu::always_inline]] inline Wide larger(const Wide& a, const Wide& b) { return a > b ? a : b; }
-[[gnu::always_inline]] inline Wide rootOf(const Wide& a) {
+CAROM_INLINE Wide loadWide(const double* from) { return *reinterpret_cast<const Wide*>(from); }
+CAROM_INLINE void storeWide(double* to, const Wide& value) { *reinterpret_cast<Wide*>(to) = value; }
+CAROM_INLINE Wide wideOf(double value) { return Wide{value, value, value, value}; }
+CAROM_INLINE Wide smaller(const Wide& a, const Wide& b) { return a < b ? a : b; }
+CAROM_INLINE Wide larger(const Wide& a, const Wide& b) { return a > b ? a : b; }
+CAROM_INLINE Wide rootOf(const Wide& a) {
     return Wide{std::sqrt(a[0]), std::sqrt(a[1]), std::sqrt(a[2]), std::sqrt(a[3])};
 }
 
 /// Rows become columns.
-[[gnu::always_inline]] inline void transpose(Wide& a, Wide& b, Wide& c, Wide& d) {
+CAROM_INLINE void transpose(Wide& a, Wide& b, Wide& c, Wide& d) {
     const Wide ab02 = __builtin_shufflevector(a, b, 0, 4, 2, 6),
                ab13 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
     const Wide cd02 = __builtin_shufflevector(c, d, 0, 4, 2, 6),

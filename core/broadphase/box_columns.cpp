@@ -9,9 +9,7 @@ using Loose [[gnu::aligned(alignof(double))]] = Wide;
 static_assert(alignof(Loose) == alignof(double));
 using Lanes = std::int64_t __attribute__((vector_size(32)));
 
-[[gnu::always_inline]] inline Wide loadLoose(const double* from) {
-    return *reinterpret_cast<const Loose*>(from);
-}
+CAROM_INLINE Wide loadLoose(const double* from) { return *reinterpret_cast<const Loose*>(from); }
 
 /// One box against four of the columns at once.
 struct Comparison {
@@ -36,7 +34,7 @@ struct Comparison {
 };
 
 /// Writes those of entries at .. at+3 that hit, without a branch.
-[[gnu::always_inline]] inline std::uint32_t* write(Lanes hit, std::int64_t at, std::uint32_t* to) {
+CAROM_INLINE std::uint32_t* write(Lanes hit, std::int64_t at, std::uint32_t* to) {
     for (int lane = 0; lane < wideLanes; ++lane) {
         *to = static_cast<std::uint32_t>(at + lane);
         to -= hit[lane];

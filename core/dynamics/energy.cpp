@@ -2,7 +2,6 @@
 #include "core/dynamics/energy.h"
 
 #include "core/base/wide.h"
-
 #include "core/dynamics/free_rotation.h"
 #include "core/dynamics/ledger.h"
 

@@ -35,10 +35,14 @@ std::vector<SpringForce> springsOf(const Scene& scene) {
     return springs;
 }
 
+double springEnergy(const SpringForce& spring, double length) {
+    const double stretch = length - spring.length;
+    return 0.5 * spring.stiffness * stretch * stretch;
+}
+
 double springEnergy(const SpringForce& spring, const State& state) {
     const Vec3 apart = pointNow(state, spring.to, spring.toAt) - pointNow(state, spring.from, spring.fromAt);
-    const double stretch = apart.norm() - spring.length;
-    return 0.5 * spring.stiffness * stretch * stretch;
+    return springEnergy(spring, apart.norm());
 }
 
 double springEnergy(const std::vector<SpringForce>& springs, const State& state) {

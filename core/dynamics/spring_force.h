@@ -33,7 +33,9 @@ struct SpringForce {
 /// not given are those at the start.
 std::vector<SpringForce> springsOf(const Scene& scene);
 
-/// [J]
+/// What a spring of this length [m] stores [J].
+double springEnergy(const SpringForce& spring, double length);
+/// The same as it is now.
 double springEnergy(const SpringForce& spring, const State& state);
 /// [J], of all springs.
 double springEnergy(const std::vector<SpringForce>& springs, const State& state);

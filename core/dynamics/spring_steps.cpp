@@ -53,7 +53,7 @@ constexpr int mostCuts = 64;
 constexpr int mostFiner = 8;
 constexpr double rounding = std::numeric_limits<double>::epsilon();
 
-[[gnu::always_inline]] inline Wide dot(const std::array<Wide, 3>& one, const std::array<Wide, 3>& other) {
+CAROM_INLINE Wide dot(const std::array<Wide, 3>& one, const std::array<Wide, 3>& other) {
     return one[0] * other[0] + one[1] * other[1] + one[2] * other[2];
 }
 

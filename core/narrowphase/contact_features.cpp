@@ -17,7 +17,7 @@ namespace {
 // come and go, above 1e-8 it would show.
 constexpr double slack = 1e-10;
 
-[[gnu::always_inline]] inline ContactFeature ofCylinder(const Solid& cylinder, const Vec3& n) {
+CAROM_INLINE ContactFeature ofCylinder(const Solid& cylinder, const Vec3& n) {
     ContactFeature feature;
     const Vec3 axis = cylinder.turn.col(1);
     const double radius = cylinder.half.x(), halfHeight = cylinder.half.y(), cosine = n.dot(axis);
@@ -40,7 +40,7 @@ constexpr double slack = 1e-10;
     return feature;
 }
 
-[[gnu::always_inline]] inline ContactFeature ofCuboid(const Solid& cuboid, const Vec3& n) {
+CAROM_INLINE ContactFeature ofCuboid(const Solid& cuboid, const Vec3& n) {
     ContactFeature feature;
     const Vec3 inBody = cuboid.inBody(n);
     Eigen::Index across = 0;
@@ -67,8 +67,8 @@ struct Witnesses {
     ContactPoint point;
     bool isExact = false;
 };
-[[gnu::always_inline]] inline Witnesses straightAcross(const Solid& a, const Solid& b, const BestAxis& axis,
-                                                       double tolerance) {
+CAROM_INLINE Witnesses straightAcross(const Solid& a, const Solid& b, const BestAxis& axis,
+                                      double tolerance) {
     constexpr std::uint32_t name = 255; // no corner of a region has it
     const Vec3 step = axis.separation * axis.normal;
     const Vec3 onA = a.support(axis.normal), onB = b.support(-axis.normal);

@@ -35,8 +35,7 @@ struct Plane {
 };
 
 // The plane across `normal` through `origin`, its first direction along the side of a face that fits best.
-[[gnu::always_inline]] inline Plane planeAlong(const ContactFeature& face, const Vec3& normal,
-                                               const Vec3& origin) {
+CAROM_INLINE Plane planeAlong(const ContactFeature& face, const Vec3& normal, const Vec3& origin) {
     const auto across = [&](std::size_t corner) -> Vec3 {
         const Vec3 side = (face.corners[corner + 1] - face.corners[corner]).normalized();
         return side - side.dot(normal) * normal;
@@ -49,8 +48,7 @@ struct Plane {
 }
 
 // The sides of a flattened face as half-planes; side k runs from corner k and is called `firstSide` + k.
-[[gnu::always_inline]] inline std::array<HalfPlane, 4> sidesOf(const std::array<Vec2, 4>& corners,
-                                                               std::uint32_t firstSide) {
+CAROM_INLINE std::array<HalfPlane, 4> sidesOf(const std::array<Vec2, 4>& corners, std::uint32_t firstSide) {
     const auto cross = [](const Vec2& u, const Vec2& v) { return u.x() * v.y() - u.y() * v.x(); };
     const double turn = cross(corners[1] - corners[0], corners[2] - corners[1]) < 0 ? -1 : 1;
     std::array<HalfPlane, 4> sides;

@@ -63,7 +63,7 @@ constexpr double leastFollowed = 0.02;
 
 /// Of two cylinders, across the side of one and as far as can be from a rim of the other; zero where their
 /// axes are parallel.
-[[gnu::always_inline]] inline Vec3 fromSideToRim(const Solid& a, const Solid& b, DirectionSource::Kind side) {
+CAROM_INLINE Vec3 fromSideToRim(const Solid& a, const Solid& b, DirectionSource::Kind side) {
     const Vec3 axisA = a.turn.col(1), axisB = b.turn.col(1), across = axisA.cross(axisB);
     const double sine = across.norm();
     if (!(sine > smallestSine)) return Vec3::Zero();
@@ -209,7 +209,7 @@ struct OnTriangle {
 };
 
 // C. Ericson, "Real-Time Collision Detection", 2005, chapter 5.1.5.
-[[gnu::always_inline]] inline OnTriangle nearestOn(const Vec3& a, const Vec3& b, const Vec3& c) {
+CAROM_INLINE OnTriangle nearestOn(const Vec3& a, const Vec3& b, const Vec3& c) {
     const Vec3 ab = b - a, ac = c - a;
     const double d1 = -ab.dot(a), d2 = -ac.dot(a);
     if (d1 <= 0 && d2 <= 0) return {a, {0}, 1};
@@ -229,7 +229,7 @@ struct OnTriangle {
 }
 
 // The same of a triangle.
-[[gnu::always_inline]] inline Vec3 nearestOfTriangle(Simplex& simplex) {
+CAROM_INLINE Vec3 nearestOfTriangle(Simplex& simplex) {
     const std::array<Vec3, 4> points = simplex.points;
     const OnTriangle on = nearestOn(points[0], points[1], points[2]);
     simplex.count = on.count;
@@ -241,7 +241,7 @@ struct OnTriangle {
 // The same of a tetrahedron; zero if the origin is inside. Its last corner is new: the face of the others is
 // across the vector to the nearest point so far, and the last corner and the origin are on the same side of
 // it. Where the origin is straight across from the inside of another face, no other part is nearer.
-[[gnu::always_inline]] inline Vec3 nearestOfTetrahedron(Simplex& simplex) {
+CAROM_INLINE Vec3 nearestOfTetrahedron(Simplex& simplex) {
     constexpr std::array<std::array<std::size_t, 4>, 3> faces{{{0, 2, 3, 1}, {0, 3, 1, 2}, {1, 3, 2, 0}}};
     const std::array<Vec3, 4> points = simplex.points;
     OnTriangle nearest{Vec3::Zero(), {}, 0};
@@ -267,7 +267,7 @@ struct OnTriangle {
     return nearest.point;
 }
 
-[[gnu::always_inline]] inline Vec3 nearestOf(Simplex& simplex) {
+CAROM_INLINE Vec3 nearestOf(Simplex& simplex) {
     switch (simplex.count) {
     case 1:
         return simplex.points[0];

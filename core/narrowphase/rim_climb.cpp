@@ -33,7 +33,7 @@ struct RimPoint {
     Vec3 tangent = Vec3::Zero(); // unit, along the rim
 };
 
-[[gnu::always_inline]] inline RimPoint furthestOn(const Vec3& axis, const Vec3& n) {
+CAROM_INLINE RimPoint furthestOn(const Vec3& axis, const Vec3& n) {
     RimPoint point;
     const Vec3 cross = axis.cross(n);
     point.sine = cross.norm();

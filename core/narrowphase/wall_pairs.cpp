@@ -29,8 +29,7 @@ struct CylinderOverWall {
     bool turned;    // the axis is minus the body's own
 };
 
-[[gnu::always_inline]] inline CylinderOverWall measure(const Wall& wall, const Cylinder& cylinder,
-                                                       const Pose& pose) {
+CAROM_INLINE CylinderOverWall measure(const Wall& wall, const Cylinder& cylinder, const Pose& pose) {
     CylinderOverWall result;
     result.axis = axisOf(pose);
     result.cosine = wall.normal.dot(result.axis);

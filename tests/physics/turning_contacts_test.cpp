@@ -92,6 +92,11 @@ double tiltError(double tilt, int substeps, int frames) {
     return worst;
 }
 
+void everyPreset() {
+    QTest::addColumn<QByteArray>("preset");
+    for (const char* preset : {"fast", "default", "accurate"}) QTest::newRow(preset) << QByteArray(preset);
+}
+
 } // namespace
 
 class TurningContactsTest : public QObject {
@@ -177,11 +182,7 @@ class TurningContactsTest : public QObject {
     // A disc that spins about a diameter comes down and rolls round on its rim, by two radians in a substep
     // at 500 rad/s. Corrections of overlaps turned it and left its angular velocity: without friction it
     // had 1.5 times its energy after three seconds, and at 1000 rad/s under `accurate` 1.7 times.
-    void spinningDiscsGainNoEnergy_data() {
-        QTest::addColumn<QByteArray>("preset");
-        for (const char* preset : {"fast", "default", "accurate"})
-            QTest::newRow(preset) << QByteArray(preset);
-    }
+    void spinningDiscsGainNoEnergy_data() { everyPreset(); }
     void spinningDiscsGainNoEnergy() {
         QFETCH(QByteArray, preset);
         constexpr double radius = 0.064, thickness = 0.0064; // [m]
@@ -209,11 +210,7 @@ class TurningContactsTest : public QObject {
 
     // One after the other, impacts on two sides of a rim. A place of the rim that rounding had chosen, on no
     // side of it, was held like a contact: a cylinder between walls lost nine tenths of its energy.
-    void aCylinderBetweenElasticWallsKeepsItsEnergy_data() {
-        QTest::addColumn<QByteArray>("preset");
-        for (const char* preset : {"fast", "default", "accurate"})
-            QTest::newRow(preset) << QByteArray(preset);
-    }
+    void aCylinderBetweenElasticWallsKeepsItsEnergy_data() { everyPreset(); }
     void aCylinderBetweenElasticWallsKeepsItsEnergy() {
         QFETCH(QByteArray, preset);
         qInfo("seed %llu", static_cast<unsigned long long>(test::seed));
@@ -295,11 +292,7 @@ class TurningContactsTest : public QObject {
     // Rows that are added for what has turned within a step begin with the torque of rolling resistance that
     // the pair's other rows have, as if nothing did: where a spring lets an island have any energy, that of
     // nine rods at 100 rad/s grew without bound under `fast`.
-    void rollingResistanceOfTurningRodsGivesNoEnergy_data() {
-        QTest::addColumn<QByteArray>("preset");
-        for (const char* preset : {"fast", "default", "accurate"})
-            QTest::newRow(preset) << QByteArray(preset);
-    }
+    void rollingResistanceOfTurningRodsGivesNoEnergy_data() { everyPreset(); }
     void rollingResistanceOfTurningRodsGivesNoEnergy() {
         QFETCH(QByteArray, preset);
         qInfo("seed %llu", static_cast<unsigned long long>(test::seed));

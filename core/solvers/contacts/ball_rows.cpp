@@ -61,8 +61,7 @@ struct BallRows::Refresh {
 };
 
 // Updates all lanes, or those that are `struck`. Always inlined into the wide versions below.
-[[gnu::always_inline]] inline void BallRows::refreshGroup(const Refresh& with, std::size_t i,
-                                                          const Wide* struck) {
+CAROM_INLINE void BallRows::refreshGroup(const Refresh& with, std::size_t i, const Wide* struck) {
     BallGroup& group = with.groups[i];
     if (group.held) return;
     BallRow& row = group.row;

@@ -31,7 +31,7 @@ void eraseSorted(std::vector<int>& sorted, int value) {
 // treat such a block as one of any size, pack it for each product, and take twice the time.
 
 /// Overwrites the lower half of H = L Lᵀ by L; false if H is not positive definite.
-[[gnu::always_inline]] inline bool takeRoot(Mat6& h) {
+CAROM_INLINE bool takeRoot(Mat6& h) {
     for (int j = 0; j < 6; ++j) {
         double square = 0;
         for (int k = 0; k < j; ++k) square += h(j, k) * h(j, k);
@@ -48,7 +48,7 @@ void eraseSorted(std::vector<int>& sorted, int value) {
 }
 
 /// L⁻¹ of the lower half.
-[[gnu::always_inline]] inline Mat6 inverseOfLower(const Mat6& lower) {
+CAROM_INLINE Mat6 inverseOfLower(const Mat6& lower) {
     Mat6 inverse = Mat6::Zero();
     for (int i = 0; i < 6; ++i) {
         const double reciprocal = 1 / lower(i, i);

@@ -168,13 +168,9 @@ bool IslandMotion::gainsEnergy(const MotionInput& input, double duration) const 
         const SpringForce& spring = input.bodies.springs[index];
         const SpringEnd from = springEnd(input, spring.from, spring.fromAt, duration),
                         to = springEnd(input, spring.to, spring.toAt, duration);
-        const auto stored = [&](const Vec3& span) {
-            const double stretch = span.norm() - spring.length;
-            return 0.5 * spring.stiffness * stretch * stretch;
-        };
-        const double first = stored(to.before - from.before);
+        const double first = springEnergy(spring, (to.before - from.before).norm());
         before += first;
-        gained += stored(to.after - from.after) - first;
+        gained += springEnergy(spring, (to.after - from.after).norm()) - first;
     }
     return gained > mostGained * before;
 }

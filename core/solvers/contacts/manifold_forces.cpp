@@ -70,8 +70,7 @@ void shareOut(std::span<const CarriedPoint> old, const Vec3& normal, const Tange
 }
 
 // Gives forces of old points to the nearest new ones. False if a force is left.
-[[gnu::always_inline]] inline bool inherit(std::span<const CarriedPoint> old, double within,
-                                           std::span<CarriedPoint> fresh) {
+CAROM_INLINE bool inherit(std::span<const CarriedPoint> old, double within, std::span<CarriedPoint> fresh) {
     std::array<bool, manifoldPoints> taken{};
     const bool alone = old.size() == 1 && fresh.size() == 1; // the same point, however far it has rolled
     for (CarriedPoint& point : fresh) {

@@ -20,7 +20,7 @@ namespace carom {
 namespace {
 
 /// Orientation of B in the frame of A.
-[[gnu::always_inline]] inline Quat relativeOrientation(const State& state, BodyPair pair) {
+CAROM_INLINE Quat relativeOrientation(const State& state, BodyPair pair) {
     return state.pose[pair.a].orientation.conjugate() * state.pose[pair.b].orientation;
 }
 

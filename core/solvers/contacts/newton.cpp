@@ -389,11 +389,10 @@ bool NewtonSolver::factor(const ContactProblem& problem, bool coupled) {
 
 // Adds the products left · right of both bodies of a row to their blocks.
 template<int rows>
-[[gnu::always_inline]] inline void NewtonSolver::addBlocks(const Place& place,
-                                                           const Eigen::Matrix<double, 6, rows>& leftA,
-                                                           const Eigen::Matrix<double, 6, rows>& leftB,
-                                                           const Eigen::Matrix<double, rows, 6>& rightA,
-                                                           const Eigen::Matrix<double, rows, 6>& rightB) {
+CAROM_INLINE void NewtonSolver::addBlocks(const Place& place, const Eigen::Matrix<double, 6, rows>& leftA,
+                                          const Eigen::Matrix<double, 6, rows>& leftB,
+                                          const Eigen::Matrix<double, rows, 6>& rightA,
+                                          const Eigen::Matrix<double, rows, 6>& rightB) {
     if (place.a != immobile) m_matrix.addToDiagonal(place.a, leftA * rightA);
     if (place.b != immobile) m_matrix.addToDiagonal(place.b, leftB * rightB);
     if (place.edge < 0) return;

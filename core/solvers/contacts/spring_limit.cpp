@@ -73,8 +73,7 @@ void SpringLimit::findEnergies(const SpringIslands& input, double duration,
                    fromRotationVector(duration * vectorOf(body.spin)) * arm;
         };
         const Vec3 from = endOf(spring.from, spring.fromAt), to = endOf(spring.to, spring.toAt);
-        const double stretch = (to - from).norm() - spring.length;
-        m_sums[island].energy += 0.5 * spring.stiffness * stretch * stretch;
+        m_sums[island].energy += springEnergy(spring, (to - from).norm());
     }
 }
 

@@ -260,7 +260,7 @@ CAROM_WIDE void SteppedMotion::foreseeStruck(double duration, std::span<const st
 }
 
 // Whether a watched pair with a body that was struck may close its gap within the step.
-[[gnu::always_inline]] inline bool SteppedMotion::isStruck(const Watched& pair) const {
+CAROM_INLINE bool SteppedMotion::isStruck(const Watched& pair) const {
     const Coming &a = m_coming[pair.a], &b = m_coming[pair.b];
     if (!a.isStruck && !b.isStruck) return false;
     return pair.gap + pair.normal.dot(b.shift - a.shift) < pair.radiusA * a.turn + pair.radiusB * b.turn;

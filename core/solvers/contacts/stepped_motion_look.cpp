@@ -99,7 +99,7 @@ void SteppedMotion::updatePairs(const ManifoldInput& here, Manifolds& manifolds,
     report.work.pairsCollided += collided;
 }
 
-[[gnu::always_inline]] inline bool SteppedMotion::staysOpen(OpenPair& pair, double fall) const {
+CAROM_INLINE bool SteppedMotion::staysOpen(OpenPair& pair, double fall) const {
     double& gap = pair.watched.gap;
     if (!(gap > 0)) return false;
     const Travel &a = m_travel[pair.watched.a], &b = m_travel[pair.watched.b];
@@ -139,8 +139,7 @@ SteppedMotion::Seen SteppedMotion::see(const ManifoldInput& here, std::uint32_t 
 }
 
 // The place that the frame of a body will have, or that of one along the axes of the world.
-[[gnu::always_inline]] inline std::uint32_t SteppedMotion::frameOf(BodyIndex body, std::uint32_t number,
-                                                                   bool turns) {
+CAROM_INLINE std::uint32_t SteppedMotion::frameOf(BodyIndex body, std::uint32_t number, bool turns) {
     const std::uint32_t next = static_cast<std::uint32_t>(m_framed.size());
     const bool isKept = number != immobile && turns;
     if (isKept && m_frameOf[number] != BallRows::noPair) return m_frameOf[number];

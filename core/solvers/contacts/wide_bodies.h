@@ -12,8 +12,6 @@
 
 namespace carom {
 
-#define CAROM_INLINE [[gnu::always_inline]] inline
-
 struct Wide3 {
     Wide x, y, z;
 };

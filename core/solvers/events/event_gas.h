@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/index.h"
+#include "core/base/wide.h"
 #include "core/dynamics/bodies.h"
 #include "core/dynamics/state.h"
 #include "core/math/compensated.h"
@@ -247,7 +248,7 @@ class EventGas {
 
 // Two balls that have just collided and that nothing has happened to since move apart for ever, as long as
 // gravity bends both paths alike; rounding must not make them collide again.
-[[gnu::always_inline]] inline void EventGas::considerPair(std::uint32_t i, std::uint32_t j) {
+CAROM_INLINE void EventGas::considerPair(std::uint32_t i, std::uint32_t j) {
     ++m_counts.tested;
     const EventRecord& record = m_records[i];
     const TrajectoryOrigin &a = m_origins[i], &b = m_origins[j];
