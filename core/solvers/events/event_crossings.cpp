@@ -153,8 +153,9 @@ void EventGas::beginSlice() {
         if (k + soon < m_crossing.size()) m_cells.prefetch(m_records[m_crossing[k + soon]]);
         const std::uint32_t i = m_crossing[k];
         const double before = m_records[i].earliest();
+        const std::uint64_t rank = m_records[i].rank(i);
         crossAll(i, m_now);
-        if (m_records[i].earliest() == before) continue;
+        if (m_records[i].earliest() == before && m_records[i].rank(i) == rank) continue;
         m_queue.remove(m_records, i);
         m_queue.insert(m_records, i);
     }

@@ -19,8 +19,9 @@
 //       v
 //     [ 3 ][   ][ 7 1 ][   ][ 0 ] ...    beyond: 2 5
 //
-// Setting and removing an event take a few writes; finding the earliest takes a search of one short list. The
-// links are in the records, where the times are; every call gets the same ones.
+// Setting and removing an event take a few writes. When a day comes that has more than a few events, those are
+// put in order, in a heap: they may be thousands where a scene repeats itself, as racks that are broken at
+// one time. The links are in the records, where the times are; every call gets the same ones.
 
 namespace carom {
 
@@ -36,6 +37,7 @@ class EventQueue {
     void remove(EventRecords records, std::uint32_t i) {
         EventRecord& record = records[i];
         if (record.queuePrevious == nobody) return;
+        if (record.queuePrevious == EventRecord::inOrder) return removeFromOrder(records, i);
         if ((record.queuePrevious & EventRecord::dayMark) != 0)
             m_days[record.queuePrevious & ~EventRecord::dayMark] = record.queueNext;
         else
@@ -61,29 +63,26 @@ class EventQueue {
         ++m_count;
     }
 
-    /// The body with the earliest event not after `limit`, or nobody. Of equal times the one wins that
-    /// `before(i, j)` says; a strict order. The first events of later days are passed to `preview(i, soon)`:
-    /// once some days before, and again when they are near.
+    /// The body with the earliest event not after `limit`, or nobody. Of equal times the one of lowest rank
+    /// wins, and of several pairs the one that `before(i, j)` says; a strict order. The first events of later
+    /// days are passed to `preview(i, soon)`: once some days before, and again when they are near.
     template<class Before, class Preview>
     std::uint32_t earliest(EventRecords records, double limit, const Before& before, const Preview& preview) {
         if (m_count == 0) return nobody;
         const double lastDay = limit * m_daysPerSecond;
         for (;;) {
-            std::uint32_t best = m_days[static_cast<std::uint32_t>(m_today) & m_mask];
-            if (best != nobody) {
-                double bestTime = records[best].earliest(), second = never;
-                for (std::uint32_t i = records[best].queueNext; i != nobody; i = records[i].queueNext) {
-                    const double time = records[i].earliest();
-                    if (time > bestTime || (time == bestTime && !before(i, best))) {
-                        second = std::min(second, time);
-                        continue;
-                    }
-                    second = bestTime;
-                    best = i;
-                    bestTime = time;
-                }
-                m_second = second;
-                return bestTime <= limit ? best : nobody;
+            const std::uint32_t first = m_days[static_cast<std::uint32_t>(m_today) & m_mask];
+            if (first != nobody && m_order.empty() && isFew(records, first))
+                return earliestOf(records, first, limit, before);
+            if (first != nobody) putInOrder(records, first);
+            if (!m_order.empty()) {
+                m_second = never;
+                for (std::size_t k = 1; k < std::min<std::size_t>(3, m_order.size()); ++k)
+                    m_second = std::min(m_second, m_order[k].time);
+                if (!(m_order.front().time <= limit)) return nobody;
+                std::uint32_t best = m_order.front().body;
+                for (const std::size_t child : {1, 2}) findBest(child, before, best);
+                return best;
             }
             if (static_cast<double>(m_today) >= lastDay) return nobody;
             if (++m_today >= m_sorted) sortBeyond(records);
@@ -99,16 +98,74 @@ class EventQueue {
         return m_second <= limit || limit * m_daysPerSecond >= static_cast<double>(m_today + 1);
     }
 
-    std::size_t bytes() const { return heldBytes(m_days); }
+    std::size_t bytes() const { return heldBytes(m_days, m_order); }
 
   private:
     /// Days ahead of which events are passed to `preview`. Twice or half changes the time only: at half what
     /// is fetched may arrive late, at twice it may be evicted before it is used.
     static constexpr std::array<std::int64_t, 2> ahead = {4, 2};
 
+    /// An event of today, as it was when it was put in order.
+    struct Event {
+        double time = 0;
+        std::uint64_t rank = 0;
+        std::uint32_t body = 0;
+
+        bool operator<(const Event& other) const {
+            return time != other.time ? time < other.time : rank < other.rank;
+        }
+    };
+
+    /// Days of up to so many events are looked through each time, as most have one or two. At half or twice,
+    /// a gas takes a hundredth more.
+    static constexpr int few = 4;
+    static bool isFew(EventRecords records, std::uint32_t first) {
+        int count = 1;
+        for (std::uint32_t i = records[first].queueNext; i != nobody; i = records[i].queueNext)
+            if (++count > few) return false;
+        return true;
+    }
+    template<class Before>
+    std::uint32_t earliestOf(EventRecords records, std::uint32_t first, double limit, const Before& before) {
+        std::uint32_t best = first;
+        double bestTime = records[best].earliest(), second = never;
+        const auto isBefore = [&](std::uint32_t i) {
+            const std::uint64_t rank = records[i].rank(i), bestRank = records[best].rank(best);
+            return rank != bestRank ? rank < bestRank : before(i, best);
+        };
+        for (std::uint32_t i = records[first].queueNext; i != nobody; i = records[i].queueNext) {
+            const double time = records[i].earliest();
+            if (time > bestTime || (time == bestTime && !isBefore(i))) {
+                second = std::min(second, time);
+                continue;
+            }
+            second = bestTime;
+            best = i;
+            bestTime = time;
+        }
+        m_second = second;
+        return bestTime <= limit ? best : nobody;
+    }
     void sortBeyond(EventRecords records);
+    void putInOrder(EventRecords records, std::uint32_t first);
+    void removeFromOrder(EventRecords records, std::uint32_t i);
+    void rise(EventRecords records, std::size_t place, const Event& event);
+    void sink(EventRecords records, std::size_t place, const Event& event);
+    void put(EventRecords records, std::size_t place, const Event& event) {
+        m_order[place] = event;
+        records[event.body].queueNext = static_cast<std::uint32_t>(place);
+    }
+    /// Of the events at this place and below that are equal to the first one.
+    template<class Before>
+    void findBest(std::size_t place, const Before& before, std::uint32_t& best) const {
+        if (place >= m_order.size() || m_order.front() < m_order[place]) return;
+        if (before(m_order[place].body, best)) best = m_order[place].body;
+        findBest(2 * place + 1, before, best);
+        findBest(2 * place + 2, before, best);
+    }
 
     std::vector<std::uint32_t> m_days; ///< first body of each day; the last list is `beyond`
+    std::vector<Event> m_order;        ///< of today: a heap, each no later than those at 2k + 1 and 2k + 2
     std::uint32_t m_mask = 0;
     std::uint32_t m_beyond = 0;
     double m_daysPerSecond = 1;

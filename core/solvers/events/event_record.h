@@ -18,6 +18,8 @@ struct alignas(64) EventRecord {
     static constexpr std::uint32_t wallMark = 0x80000000U;
     /// In `queuePrevious`: no ball but the day this one is the first of.
     static constexpr std::uint32_t dayMark = 0x80000000U;
+    /// In `queuePrevious`: it is among the events of today that are in order; `queueNext` is its place there.
+    static constexpr std::uint32_t inOrder = 0xfffffffeU;
     /// In `other`: no wall but the next crossing into another cell.
     static constexpr std::uint16_t crossing = 0xffff;
 
@@ -41,6 +43,11 @@ struct alignas(64) EventRecord {
     double earliest() const { return std::min(pairTime, otherTime); }
     /// At equal times crossings and walls come before pairs.
     bool collidesNext() const { return pairTime < otherTime; }
+    /// Of equal times the event of lower rank comes first: crossings, walls, pairs; the former two by number.
+    std::uint64_t rank(std::uint32_t number) const {
+        if (collidesNext()) return std::uint64_t{2} << 32;
+        return other == crossing ? number : (std::uint64_t{1} << 32) | number;
+    }
 };
 static_assert(sizeof(EventRecord) == 64);
 
