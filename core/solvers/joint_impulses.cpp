@@ -17,7 +17,8 @@ bool jointImpulses(const JointResponse& response, const JointValues& changes, Jo
         impulses = changes / response(0, 0);
     } else {
         const Eigen::LDLT<JointResponse> forward(response), backward(response.reverse());
-        if (!(forward.rcond() > singular)) return false;
+        // (Eigen solves without a pivot of 0, and does not count it in the condition.)
+        if (!(forward.vectorD().minCoeff() > 0 && forward.rcond() > singular)) return false;
         impulses = 0.5 * (forward.solve(changes) + backward.solve(changes.reverse()).reverse());
     }
     return impulses.minCoeff() >= 0;
