@@ -286,6 +286,28 @@ class LayersTest : public QObject {
         QVERIFY2(unlisted.isEmpty(), qPrintable(unlisted.join('\n')));
     }
 
+    void everyHeaderOfTheSolversIsHeldByATest() {
+        // By the one of its name, or by those that tests/README.md names in a row for it.
+        const QString manual = read("tests/README.md");
+        QStringList bare;
+        for (const QString& file : filesBelow({"core/solvers"}, {"*.h"})) {
+            const QString name = file.chopped(2);
+            if (!read("tests/" + name + "_test.cpp").isEmpty()) continue;
+            const QString entry = '`' + name.section('/', 2) + '`';
+            const QRegularExpression row("^\\| [^|]*" + entry + "[^|]*\\|([^|]*)\\|$",
+                                         QRegularExpression::MultilineOption);
+            static const QRegularExpression named("`([\\w/]+_test)`");
+            int tests = 0;
+            QRegularExpressionMatchIterator test = named.globalMatch(row.match(manual).captured(1));
+            while (test.hasNext()) {
+                const QString path = "tests/" + test.next().captured(1) + ".cpp";
+                tests += read(path).isEmpty() ? -100 : 1;
+            }
+            if (tests <= 0) bare << file;
+        }
+        QVERIFY2(bare.isEmpty(), qPrintable(bare.join('\n')));
+    }
+
     void everySourceIsBuilt() {
         // An unlisted file would rot unseen: each .cpp stands in its folder's CMakeLists.txt or one above.
         QStringList unlisted;
