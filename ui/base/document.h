@@ -92,7 +92,7 @@ class Document : public QObject {
     std::uint64_t m_known = 0;           ///< hash of what we last read or wrote
     std::optional<std::uint64_t> m_seen; ///< hash of what was in the file when we last looked; none: no file
     QFileSystemWatcher m_watcher;        ///< of the file and its folder, where a file may come back
-    QTimer m_quiet;                      ///< until whoever writes is done
+    QTimer m_quiet{this};                ///< until whoever writes is done
     int m_emptyLooks = 0;                ///< looks in a row at a file that has become empty
 };
 

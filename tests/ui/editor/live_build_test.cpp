@@ -99,8 +99,16 @@ class LiveBuildTest : public QObject {
     }
 
     void aBuilderThatGoesAwayTakesItsBuildAlong() {
-        Bench bench;
-        bench.builds.textReplaced(1); // the test ends in the middle
+        bool isBuilding = false, heard = false;
+        {
+            Bench bench;
+            connect(&bench.builds, &LiveBuild::built, this, [&heard] { heard = true; });
+            bench.builds.textReplaced(1);
+            isBuilding = !bench.builds.isCurrent();
+        } // in the middle; its thread has ended
+        QVERIFY(isBuilding);
+        QCoreApplication::processEvents();
+        QVERIFY(!heard);
     }
 
     void commentsAndWhiteSpaceDoNotChangeTheMeaning() {

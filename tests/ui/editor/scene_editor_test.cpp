@@ -342,7 +342,7 @@ class SceneEditorTest : public QObject {
         editor.setBytes(line);
         editor.setWrapsLines(true);
         editor.show();
-        QVERIFY(QTest::qWaitForWindowExposed(&editor));
+        QVERIFY(QTest::qWaitForWindowExposed(&editor, longestWait));
         for (int width = 200; width < 500; width += 7) {
             editor.resize(width, 300);
             QTRY_VERIFY_WITH_TIMEOUT(editor.send(Sci::SCI_WRAPCOUNT, 0) > 1, longestWait);

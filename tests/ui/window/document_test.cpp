@@ -1,36 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/ide.h"
+#include "tests/support/outside_changes.h"
 #include "tests/support/test_class.h"
 
 #include <QDir>
-#include <QElapsedTimer>
-#include <QFileSystemWatcher>
-#include <QScopeGuard>
 #include <QSignalSpy>
+#include <QTimer>
 
 #include <sys/stat.h>
 
-#include <algorithm>
 #include <cstdio>
 
 using namespace carom;
 using namespace carom::test;
 
 namespace {
-
-constexpr int quiet = 300; // [ms] after which whoever writes a file counts as done
-
-class PlainBuffer : public TextBuffer {
-  public:
-    QByteArray content, saved;
-
-    QByteArray bytes() const override { return content; }
-    void setBytes(const QByteArray& bytes) override { content = saved = bytes; }
-    bool differsFromSaved() const override { return content != saved; }
-    void markSaved() override { saved = content; }
-    void markUnsaved() override { saved = content + '?'; }
-    void exchangeBytes(const QByteArray& bytes) override { content = saved = bytes; }
-};
 
 /// A document that was read from a file in a folder of its own.
 struct OpenDocument {
@@ -121,14 +105,7 @@ class DocumentTest : public QObject {
         QSignalSpy outside(&document, &Document::changedOutside);
         buffer.content = "two";
         QVERIFY(!document.save());
-        // The system tells of changes in their order: when it has told of a later one, it has of this.
-        const QString later = folder.filePath(QStringLiteral("later"));
-        writeFile(later, "one");
-        QFileSystemWatcher watcher({later});
-        QSignalSpy told(&watcher, &QFileSystemWatcher::fileChanged);
-        writeFile(later, "two");
-        QTRY_VERIFY_WITH_TIMEOUT(told.count() > 0, longestWait);
-        QCoreApplication::processEvents();
+        QVERIFY(allHaveLooked());
         QCOMPARE(outside.count(), 0);
         writeFile(path, "three");
         QTRY_COMPARE_WITH_TIMEOUT(outside.count(), 1, longestWait);
@@ -142,30 +119,29 @@ class DocumentTest : public QObject {
     }
 
     void aFileWrittenInPiecesIsToldOfWhenItIsWhole() {
-        shortenPauses(1);
-        const QScopeGuard after([] { shortenPauses(shorterPauses); });
         OpenDocument opened("one");
-        const QString& path = opened.path;
-        Document& document = opened.document;
-        QByteArray found;
+        auto& [folder, path, buffer, document] = opened;
+        QByteArray found, whole;
         connect(&document, &Document::changedOutside, &document, [&] { found = document.seeTextOnDisk(); });
         QSignalSpy told(&document, &Document::changedOutside);
+        // The pause is as long as an hour until the file is whole, and every piece begins it.
+        constexpr int hour = 3'600'000; // [ms]
+        QTimer* const quiet = document.findChild<QTimer*>();
+        quiet->setInterval(hour);
         QFile slow(path);
         QVERIFY(slow.open(QIODevice::WriteOnly | QIODevice::Unbuffered)); // now it is empty
-        QByteArray whole;
-        qint64 longest = 0; // [ms] between two pieces: a machine in a hurry may hold this test up
-        QElapsedTimer clock;
-        clock.start();
         for (int piece = 0; piece < 8; ++piece) {
+            quiet->stop();
             slow.write("piece ");
             whole += "piece ";
-            QTest::qWait(quiet / 4);
-            longest = std::max(longest, clock.restart());
+            QTRY_VERIFY_WITH_TIMEOUT(quiet->isActive(), longestWait);
         }
         slow.close();
+        QCOMPARE(told.count(), 0);
+        quiet->setInterval(1);
         QTRY_COMPARE_WITH_TIMEOUT(found, whole, longestWait);
-        // A piece is noticed before the next one is written.
-        QVERIFY2(told.count() == 1 || 2 * longest >= quiet, qPrintable(QString::number(told.count())));
+        QVERIFY(allHaveLooked());
+        QCOMPARE(told.count(), 1);
     }
 
     void aFileDeletedOutsideLeavesItsTextUnsaved_data() {

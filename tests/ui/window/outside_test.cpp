@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/outside_changes.h"
 #include "tests/support/whole_ide.h"
 
 #include "ui/window/file_commands.h"
@@ -26,7 +27,6 @@ using namespace carom::test;
 
 namespace {
 
-constexpr int noticeTime = 1000; // [ms] within which a change would be told of; a slow machine takes longer
 const QByteArray theirs = twoBalls + "// by somebody else\n";
 
 void press(QWidget& dialog, const char* button) {
@@ -135,13 +135,15 @@ class OutsideTest : public QObject {
         Ide ide;
         typeAtTheEnd(ide.editor, "// mine");
         writeFile(ide.path, theirs);
-        bool noticed = true;
+        bool looked = false, noticed = true;
         answerNextDialog([&](QWidget& dialog) {
             QSignalSpy again(&ide.bench.document(), &Document::changedOutside);
-            noticed = again.wait(noticeTime);
+            looked = allHaveLooked();
+            noticed = again.count() > 0;
             press(dialog, "keep");
         });
         ide.trigger(ActionId::Save);
+        QVERIFY(looked);
         QVERIFY(!noticed);
         QCOMPARE(readFile(ide.path), theirs);
         // It asks before the next save all the same, and a later change is told of.
