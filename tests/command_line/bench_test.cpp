@@ -96,7 +96,7 @@ class BenchTest : public QObject {
         QProcess process;
         process.start(QStringLiteral(CAROM_PROGRAM),
                       {"bench", "--scene", "brownian", "-n", "2000", "--frames", "1000000", "-o", results});
-        QVERIFY(process.waitForStarted());
+        QVERIFY(process.waitForStarted(longestWait));
         QTRY_VERIFY_WITH_TIMEOUT(QDir(results).exists(), longestWait); // by then it catches signals
         process.terminate();
         const Ended ended = finish(process);

@@ -298,7 +298,7 @@ class FaultsTest : public QObject {
         QTRY_VERIFY_WITH_TIMEOUT(rows().size() > 3, longestWait);
         QCOMPARE(process.state(), QProcess::Running); // it is not done
         process.kill();
-        process.waitForFinished();
+        process.waitForFinished(longestWait);
         QVERIFY(rows().size() > 3);
         for (const QString& row : rows()) QVERIFY2(!row.isEmpty(), "half a row");
     }

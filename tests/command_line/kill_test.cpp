@@ -38,7 +38,7 @@ bool runAndKill(const QStringList& words, int milliseconds) {
     process.start(QStringLiteral(CAROM_PROGRAM), words);
     if (process.waitForFinished(milliseconds)) return false;
     process.kill();
-    process.waitForFinished();
+    process.waitForFinished(longestWait);
     return true;
 }
 

@@ -40,7 +40,7 @@ class MemoryTest : public QObject {
             if (line.startsWith("Max data size"))
                 most = line.mid(13).simplified().split(' ').first().toLongLong();
         process.kill();
-        process.waitForFinished();
+        process.waitForFinished(longestWait);
         QVERIFY(most > 0);
         qint64 machine = 0;
         for (const QByteArray& line : readFile("/proc/meminfo").split('\n'))

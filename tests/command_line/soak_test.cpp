@@ -74,7 +74,7 @@ class SoakTest : public QObject {
         }
         late = holdingsOf(QString::number(process.processId()));
         process.kill();
-        process.waitForFinished();
+        process.waitForFinished(longestWait);
         qInfo("%d,000 frames: %lld KiB, then %lld; %lld files, then %lld", rounds,
               static_cast<long long>(early.memory), static_cast<long long>(late.memory),
               static_cast<long long>(early.files), static_cast<long long>(late.files));

@@ -58,7 +58,7 @@ class StudyAccuracyTest : public QObject {
         QProcess process;
         process.start(QStringLiteral(CAROM_PROGRAM),
                       {"study", "accuracy", m_scene, "-o", folder, "--duration=1000"});
-        QVERIFY(process.waitForStarted());
+        QVERIFY(process.waitForStarted(longestWait));
         QTRY_VERIFY_WITH_TIMEOUT(QDir(folder).exists(), longestWait); // by then it catches signals
         ::kill(static_cast<pid_t>(process.processId()), SIGINT);
         const Ended first = finish(process);

@@ -92,7 +92,7 @@ class SweepCommandTest : public QObject {
         QCOMPARE(sweep("whole", {"--frames=3000"}).exitCode, 0);
         QProcess process;
         process.start(QStringLiteral(CAROM_PROGRAM), words("cut", {"--frames=3000", "--threads=2"}));
-        QVERIFY(process.waitForStarted());
+        QVERIFY(process.waitForStarted(longestWait));
         const QString part = in("cut/sweep.csv.part");
         QTRY_VERIFY_WITH_TIMEOUT(linesOf(QString::fromUtf8(readFile(part))).size() > 2, longestWait);
         ::kill(static_cast<pid_t>(process.processId()), SIGINT);
@@ -114,7 +114,7 @@ class SweepCommandTest : public QObject {
         QProcess dead;
         dead.start(QStringLiteral(CAROM_PROGRAM),
                    words("both", {"--frames=3000", "--shard=1/1", "--threads=1"}));
-        QVERIFY(dead.waitForStarted());
+        QVERIFY(dead.waitForStarted(longestWait));
         const QString part = in("both/shard-1.csv.part");
         QTRY_VERIFY_WITH_TIMEOUT(linesOf(QString::fromUtf8(readFile(part))).size() > 2, longestWait);
         ::kill(static_cast<pid_t>(dead.processId()), SIGSTOP);

@@ -22,7 +22,7 @@ struct Ended {
 inline Ended finish(QProcess& process) {
     if (!process.waitForFinished(longestWait)) {
         process.kill();
-        process.waitForFinished();
+        process.waitForFinished(longestWait);
         return {};
     }
     const bool normal = process.exitStatus() == QProcess::NormalExit;

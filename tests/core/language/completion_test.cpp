@@ -176,10 +176,17 @@ class CompletionTest : public QObject {
         const std::string text =
             "sphere a{radius 1 // c\ncolour red}spring{from a to\nworld stiffness-1} @ x\xC3\xB6 } {";
         const carom::Analysis analysis = analyse(text);
+        int explained = 0;
         for (std::uint32_t offset = 0; offset <= text.size(); ++offset) {
-            completionsAt(analysis, offset);
-            hoverAt(analysis, offset);
+            const carom::SourceRange replaced = completionsAt(analysis, offset).replaced;
+            QVERIFY(replaced.offset <= offset && offset <= replaced.end() && replaced.end() <= text.size());
+            if (const std::optional<carom::HoverText> hover = hoverAt(analysis, offset)) {
+                ++explained;
+                QVERIFY(hover->range.length > 0 && hover->range.end() <= text.size());
+                QVERIFY(!hover->title.empty() && !hover->help.empty());
+            }
         }
+        QVERIFY(explained > 0);
     }
 
     void hoveringExplainsTypesParametersAndWords() {
