@@ -122,6 +122,9 @@ class StudyAccuracyTest : public QObject {
         const Ended ended = study({"--engines", "bullet,nonesuch"});
         QCOMPARE(ended.exitCode, 2);
         QVERIFY2(ended.err.contains("carom-engine-"), qPrintable(ended.err));
+        const Ended piped = carom({"study", "accuracy", "-", "--engines", "bullet"}, bounce);
+        QCOMPARE(piped.exitCode, 2);
+        QVERIFY2(piped.err.contains("give a file in place of `-`"), qPrintable(piped.err));
     }
 
     void anEngineIsAProgramThatAnybodyCanWrite() {

@@ -87,6 +87,16 @@ class SweepCommandTest : public QObject {
         QCOMPARE(carom({"sweep", "--merge", m_folder->path()}).exitCode, 2);
     }
 
+    void whatIsNoTableOfTheSweepIsNotMerged() {
+        QCOMPARE(sweep("mixed", {"--shard=1/3"}).exitCode, 0);
+        writeFile(in("mixed/shard-9.csv"), "run,other,columns\n7,1,2\n");
+        const Ended merged = carom({"sweep", "--merge", in("mixed")});
+        QCOMPARE(merged.exitCode, 3);
+        QVERIFY2(merged.err.contains("shard-9.csv` is no table of this sweep: it has other columns"),
+                 qPrintable(merged.err));
+        QVERIFY(!QFile::exists(in("mixed/sweep.csv")));
+    }
+
     // Long runs: the signal meets the first of them.
     void anInterruptedSweepGoesOnToTheSameBytes() {
         QCOMPARE(sweep("whole", {"--frames=3000"}).exitCode, 0);

@@ -185,6 +185,65 @@ class SweepTest : public QObject {
         QVERIFY2(QString::fromStdString(read.objection).contains(objection), read.objection.c_str());
     }
 
+    // What a definition says beyond the values of one parameter.
+    void whatADefinitionCannotMeanIsSaid_data() {
+        QTest::addColumn<SweepDefinition>("definition");
+        QTest::addColumn<QString>("text");
+        QTest::addColumn<QString>("objection");
+        const QString ball = QString::fromStdString(thrownBall), none;
+        const auto row = [](const char* name, const SweepDefinition& definition, const QString& text,
+                            const char* objection) {
+            QTest::newRow(name) << definition << text << QString(objection);
+        };
+        const auto varying = [](std::vector<std::string> vary, const char* generator = "") {
+            SweepDefinition definition;
+            definition.vary = std::move(vary);
+            definition.measures = {"max penetration"};
+            definition.generate = generator;
+            return definition;
+        };
+        for (const auto& [words, objection] : {
+                 std::pair{"pil --n 8", "there is no generator `pil`; did you mean `pile`?"},
+                 {"pile --n=eight", "`--n eight` is no option with a number"},
+                 {"pile n=8", "`n 8` is no option with a number"},
+                 {"pile --n", "`--n ` is no option with a number"},
+                 {"pile --n 7.5", "`--n` is 7.5; it must be a whole number"},
+                 {"pile --seed -1", "`--seed` is -1; it must be a whole number"},
+                 {"pile --n -8", "-8"},
+             })
+            row(words, varying({}, words), none, objection);
+        for (const auto& [vary, objection] : {
+                 std::pair{"generate.n=4,5.5", "`5.5` must be a whole number"},
+                 {"generate.n=4,many", "`many` is no number"},
+                 {"generate.seed=1,-1", "`-1` must be a whole number"},
+                 {"generate.cuboid=0,1", "`heap` has no option `cuboid`; did you mean `cuboids`?"},
+                 {"generate.n.x=1,2", "options of a generator have no components"},
+             })
+            row(vary, varying({vary}, "heap --n 8"), none, objection);
+        SweepDefinition seeds = varying({"generate.seed=1,2"}, "pile --n 8");
+        seeds.seeds = 3;
+        row("seeds twice", seeds, none, "`generate.seed` is varied, and `seeds` would vary it again");
+        SweepDefinition draws = varying({"ball.mass=1,2"});
+        draws.random = 10;
+        row("draws without a law", draws, ball, "`random` needs a law to draw from");
+        SweepDefinition twice = varying({"ball.mass=1,2"});
+        twice.measures.push_back(twice.measures.front());
+        row("measured twice", twice, ball, "`max penetration` is measured twice");
+        row("varied twice", varying({"ball.mass=1,2", "ball.mass=3,4"}), ball, "it is varied twice");
+        row("too many runs", varying({"ball.mass=1:2:100000", "ball.vel.x=1:2:100000"}), ball,
+            "more than 100000000 runs");
+        row("an error in the scene", varying({"ball.mass=1,2"}), ball + "sphere { radius 1 }",
+            "the scene has errors: ");
+    }
+    void whatADefinitionCannotMeanIsSaid() {
+        QFETCH(SweepDefinition, definition);
+        QFETCH(QString, text);
+        QFETCH(QString, objection);
+        const ReadSweep read = readSweep(definition, text.toStdString());
+        QVERIFY(!read.sweep);
+        QVERIFY2(QString::fromStdString(read.objection).contains(objection), read.objection.c_str());
+    }
+
     void aDeclarationSaysTheSameAsACommandLine() {
         const std::string text = thrownBall +
                                  "sweep { vary \"ball.vel.x=1,2\" vary \"ball.mass=3,4\" zip yes\n"
