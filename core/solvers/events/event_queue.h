@@ -19,9 +19,9 @@
 //       v
 //     [ 3 ][   ][ 7 1 ][   ][ 0 ] ...    beyond: 2 5
 //
-// Setting and removing an event take a few writes. When a day comes that has more than a few events, those are
-// put in order, in a heap: they may be thousands where a scene repeats itself, as racks that are broken at
-// one time. The links are in the records, where the times are; every call gets the same ones.
+// Setting and removing an event take a few writes. When a day comes that has more than a few events, those
+// are put in order, in a heap: they may be thousands where a scene repeats itself, as racks that are broken
+// at one time. The links are in the records, where the times are; every call gets the same ones.
 
 namespace carom {
 
