@@ -17,4 +17,20 @@ class Scratch : public Value {
     ~Scratch() = default;
 };
 
+/// A member that follows from others of the object that holds it, and says itself whether it is known; in a
+/// new one it is not. Nor is it in copies, so that a checkpoint does not contain it.
+template<class Value>
+class Derived : public Value {
+  public:
+    Derived() = default;
+    Derived(const Derived&) : Value() {}
+    Derived(Derived&&) noexcept = default;
+    Derived& operator=(const Derived& other) {
+        if (this != &other) static_cast<Value&>(*this) = Value();
+        return *this;
+    }
+    Derived& operator=(Derived&&) noexcept = default;
+    ~Derived() = default;
+};
+
 } // namespace carom

@@ -50,9 +50,9 @@ void copyLane(const BallGroup& from, std::size_t lane, BallGroup& to, std::size_
 } // namespace
 
 struct BallRows::Refresh {
+    std::span<const std::uint32_t> list; ///< of groups
     BallGroup* groups;
     const Fixed* fixed;
-    std::size_t count;
     const SolverBody* bodies;
     const BodyPlace* places;
     const Displacement* moved; ///< null: no body has moved
@@ -63,7 +63,6 @@ struct BallRows::Refresh {
 // Updates all lanes, or those that are `struck`. Always inlined into the wide versions below.
 CAROM_INLINE void BallRows::refreshGroup(const Refresh& with, std::size_t i, const Wide* struck) {
     BallGroup& group = with.groups[i];
-    if (group.held) return;
     BallRow& row = group.row;
     const Fixed& fixed = with.fixed[i];
     Motion a, b;
@@ -125,25 +124,20 @@ CAROM_INLINE void BallRows::refreshGroup(const Refresh& with, std::size_t i, con
     group.watched = anyLane(used & (row.massNormal == zero));
 }
 
-CAROM_WIDE BallRows::Count BallRows::refreshAll(const Refresh& with) {
-    Count count;
+CAROM_WIDE double BallRows::refreshAll(const Refresh& with) {
     Wide deepest{};
-    for (std::size_t i = 0; i < with.count; ++i) {
+    for (const std::uint32_t i : with.list) {
         refreshGroup(with, i, nullptr);
         const BallGroup& group = with.groups[i];
-        count.active += group.idle ? 0 : 1;
-        count.watched += group.watched ? 1 : 0;
         deepest = group.row.massNormal > Wide{} ? larger(deepest, -group.gap) : deepest;
     }
-    count.deepest = std::max(std::max(deepest[0], deepest[1]), std::max(deepest[2], deepest[3]));
-    return count;
+    return std::max(std::max(deepest[0], deepest[1]), std::max(deepest[2], deepest[3]));
 }
 
 CAROM_WIDE bool BallRows::findStruckIn(const Refresh& with) {
     bool any = false;
-    for (std::size_t i = 0; i < with.count; ++i) {
+    for (const std::uint32_t i : with.list) {
         const BallGroup& group = with.groups[i];
-        if (!group.watched) continue;
         Motion a, b;
         gatherVelocity(with.bodies, group.a, a);
         gatherVelocity(with.bodies, group.b, b);
@@ -165,8 +159,26 @@ void BallRows::clear() {
     m_fixed.clear();
     m_packer.clear();
     m_sections.clear();
-    m_active = m_watched = 0;
+    m_lists.areKnown = false;
     m_heldDeepest = 0;
+}
+
+void BallRows::findLists() {
+    m_lists.solved.clear();
+    for (std::uint32_t i = 0; i < m_groups.size(); ++i)
+        if (!m_groups[i].held) m_lists.solved.push_back(i);
+    listSolved();
+    m_lists.areKnown = true;
+}
+
+// Tells what is done with the groups that are not held.
+void BallRows::listSolved() {
+    m_lists.active.clear();
+    m_lists.watched.clear();
+    for (const std::uint32_t i : m_lists.solved) {
+        if (!m_groups[i].idle) m_lists.active.push_back(i);
+        if (m_groups[i].watched) m_lists.watched.push_back(i);
+    }
 }
 
 BallGroup BallRows::emptyGroup(std::uint32_t immobile) {
@@ -180,6 +192,7 @@ BallGroup BallRows::emptyGroup(std::uint32_t immobile) {
 
 void BallRows::add(const BallPair& pair, std::uint32_t source, std::uint32_t immobile,
                    std::span<const SolverBody> bodies) {
+    m_lists.areKnown = false;
     m_packer.reserve(bodies.size());
     const LanePacker::Place place = m_packer.place(pair.a, pair.b, immobile);
     if (place.isNew) {
@@ -273,7 +286,6 @@ void BallRows::reorder(std::span<const std::uint32_t> places, std::uint32_t immo
         for (std::size_t i = begin; i < end; ++i) fillGroup(i, empty, {});
     });
     markHeld();
-    countGroups();
 }
 
 void BallRows::keep(std::span<const std::uint32_t> sources, std::span<const std::uint32_t> bodies,
@@ -315,7 +327,6 @@ void BallRows::keep(std::span<const std::uint32_t> sources, std::span<const std:
     m_sections.renumber([&](std::uint32_t end) { return m_newGroup[end]; });
     if (!m_sections.isEmpty()) m_packer.closeAll(); // or pairs of other sections would come into them
     markHeld();
-    countGroups();
 }
 
 // A pair of two bodies that stand still or cannot move has no effective mass: it is 0 here.
@@ -353,7 +364,6 @@ void BallRows::hold(std::span<const std::uint8_t> still, std::span<const std::ui
         }
     }
     markHeld();
-    countGroups();
 }
 
 // Marks the groups of which all pairs are held. Every group has a pair.
@@ -374,42 +384,31 @@ CAROM_WIDE void BallRows::markHeld() {
         if (isHeld) m_groups[i].idle = true, m_groups[i].watched = false;
     }
     m_heldDeepest = std::max(std::max(deepest[0], deepest[1]), std::max(deepest[2], deepest[3]));
-}
-
-void BallRows::countGroups() {
-    m_active = m_watched = 0;
-    for (const BallGroup& group : m_groups) {
-        m_active += group.idle ? 0 : 1;
-        m_watched += group.watched ? 1 : 0;
-    }
+    m_lists.areKnown = false;
 }
 
 void BallRows::refresh(std::span<const SolverBody> bodies, std::span<const BodyPlace> places, double duration,
                        const Vec3& gravity, Workers& workers) {
-    std::atomic<std::size_t> active = 0, watched = 0;
+    const std::span<const std::uint32_t> solved = lists().solved;
     m_deepest = 0;
-    workers.forRanges(m_groups.size(), fewShared, [&](std::size_t begin, std::size_t end) {
-        const Count count = refreshAll({m_groups.data() + begin, m_fixed.data() + begin, end - begin,
-                                        bodies.data(), places.data(), nullptr, duration, gravity});
-        active += count.active;
-        watched += count.watched;
-        raiseTo(m_deepest, count.deepest);
+    workers.forRanges(solved.size(), fewShared, [&](std::size_t begin, std::size_t end) {
+        raiseTo(m_deepest, refreshAll({solved.subspan(begin, end - begin), m_groups.data(), m_fixed.data(),
+                                       bodies.data(), places.data(), nullptr, duration, gravity}));
     });
-    m_active = active;
-    m_watched = watched;
+    listSolved();
 }
 
 bool BallRows::findStruck(std::span<const SolverBody> bodies, std::span<const BodyPlace> places,
                           std::span<const Displacement> moved, double duration, const Vec3& gravity,
                           Workers& workers) {
-    if (m_watched == 0) return false;
+    const std::span<const std::uint32_t> watched = lists().watched;
     std::atomic<bool> any = false;
-    workers.forRanges(m_groups.size(), fewShared, [&](std::size_t begin, std::size_t end) {
-        if (findStruckIn({m_groups.data() + begin, m_fixed.data() + begin, end - begin, bodies.data(),
+    workers.forRanges(watched.size(), fewShared, [&](std::size_t begin, std::size_t end) {
+        if (findStruckIn({watched.subspan(begin, end - begin), m_groups.data(), m_fixed.data(), bodies.data(),
                           places.data(), moved.data(), duration, gravity}))
             any = true;
     });
-    if (any) countGroups();
+    if (any) listSolved();
     return any;
 }
 

@@ -24,7 +24,7 @@
 // the time of impact, and if they pass each other, that at their closest approach. A pair that cannot meet
 // has effective masses of 0, so passes do not change it, until findStruck() finds that impulses make it close
 // its gap; a group of such pairs is idle, and skipped. So the result of a pair does not depend on the other
-// pairs of its group.
+// pairs of its group. Passes go through a list of the groups that are active.
 //
 // The normal impulse of a ball has no torque, and friction does not change uₙ.
 
@@ -97,7 +97,7 @@ class BallRows {
     std::size_t heldContacts() const { return m_heldContacts; } ///< those of them with an impulse
     /// Of what is not empty.
     std::size_t groups() const { return m_groups.size(); }
-    std::size_t activeGroups() const { return m_active; }
+    std::size_t activeGroups() { return lists().active.size(); }
 
     /// Updates all rows to the present poses.
     void refresh(std::span<const SolverBody> bodies, std::span<const BodyPlace> places, double duration,
@@ -117,18 +117,20 @@ class BallRows {
     /// As that of ContactRows.
     template<class Part>
     void scaleImpulses(const Part& part) {
-        for (BallGroup& group : m_groups)
+        for (const std::uint32_t i : lists().active) {
+            BallGroup& group = m_groups[i];
             for (std::size_t lane = 0; lane < wideLanes; ++lane)
-                if (!group.idle && group.row.massNormal[lane] > 0)
+                if (group.row.massNormal[lane] > 0)
                     scaleImpulse(group.row, lane, part(group.a[lane], group.b[lane]));
+        }
     }
     void solve(std::span<SolverBody> bodies, std::span<const Displacement> moved,
                const StepSettings& settings, bool back, Workers& workers = Workers::alone());
     void addCorrection(std::span<const Displacement> moved, const StepSettings& settings,
-                       std::span<double> to) const;
+                       std::span<double> to);
     double relax(std::span<SolverBody> bodies, std::span<const Displacement> moved,
                  const StepSettings& settings, bool back, Workers& workers = Workers::alone());
-    int activate(const ActiveBodies& active) const;
+    int activate(const ActiveBodies& active);
     /// Removes the effect of impacts and solves these again, one after the other, each with its restitution,
     /// until none is left, in at most `passes` passes over all active groups. In this way balls pass an
     /// impulse on; solved at once, all contacts but the first would take it without restitution. Pairs that
@@ -170,13 +172,11 @@ class BallRows {
 
     /// visit(a, b) for every pair that is not held.
     template<class Visit>
-    void forEachPair(const Visit& visit) const {
-        for (std::size_t i = 0; i < m_groups.size(); ++i) {
-            if (m_groups[i].held) continue;
+    void forEachPair(const Visit& visit) {
+        for (const std::uint32_t i : lists().solved)
             for (std::size_t lane = 0; lane < wideLanes; ++lane)
                 if (m_fixed[i].source[lane] != noPair && !(m_fixed[i].isHeld[lane] > 0))
                     visit(m_groups[i].a[lane], m_groups[i].b[lane]);
-        }
     }
     struct Contact {
         std::uint32_t a = 0, b = 0;
@@ -192,9 +192,8 @@ class BallRows {
     /// visit(Contact) for every pair with a body that stands still that is not held, with or without one, as
     /// of the last refresh; pairs that cannot meet may be left out.
     template<class Visit>
-    void forEachBeside(std::span<const std::uint8_t> still, const Visit& visit) const {
-        for (std::size_t i = 0; i < m_groups.size(); ++i)
-            if (!m_groups[i].held && !m_groups[i].idle) visitContacts(still, i, false, visit);
+    void forEachBeside(std::span<const std::uint8_t> still, const Visit& visit) {
+        for (const std::uint32_t i : lists().active) visitContacts(still, i, false, visit);
     }
 
   private:
@@ -231,16 +230,25 @@ class BallRows {
                           group.row.massNormal[lane] > 0});
         }
     }
-    /// What a refresh finds of groups.
-    struct Count {
-        std::size_t active = 0, watched = 0;
-        double deepest = 0; ///< overlap of pairs that can meet [m]
+    /// Groups by what is done with them, ascending.
+    struct Lists {
+        std::vector<std::uint32_t> solved; ///< not held
+        std::vector<std::uint32_t> active, watched;
+        bool areKnown = false;
     };
-    static Count refreshAll(const Refresh& with);
+    const Lists& lists() {
+        if (!m_lists.areKnown) findLists();
+        return m_lists;
+    }
+    void findLists();
+    void listSolved();
+    template<class Work>
+    void forActive(bool back, Workers& workers, const Work& work);
+    /// Returns the overlap of pairs that can meet [m].
+    static double refreshAll(const Refresh& with);
     static bool findStruckIn(const Refresh& with);
     static void refreshGroup(const Refresh& with, std::size_t group, const Wide* struck);
     void fillGroup(std::size_t i, const BallGroup& empty, const Fixed& emptyFixed);
-    void countGroups();
     void markHeld();
     static void setMasses(const BallGroup& group, std::size_t lane, std::span<const SolverBody> bodies,
                           Fixed& fixed);
@@ -253,7 +261,7 @@ class BallRows {
     Scratch<std::vector<std::uint32_t>> m_newGroup; // by group before: the number that it, or the next, keeps
     LanePacker m_packer;
     Sections m_sections;
-    std::size_t m_active = 0, m_watched = 0; // groups
+    Derived<Lists> m_lists;
     double m_deepest = 0, m_heldDeepest = 0;
     std::size_t m_heldContacts = 0;
 };

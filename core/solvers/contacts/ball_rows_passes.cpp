@@ -37,7 +37,6 @@ CAROM_INLINE Wide gapNow(const BallGroup& group, const Wide3& n, const Displacem
 template<Pass pass>
 CAROM_INLINE void solveGroup(BallGroup& group, SolverBody* bodies, const Displacement* moved,
                              const StepSettings& settings, const Softnesses& softness, Wide& worst) {
-    if (group.idle) return;
     Motion a, b;
     gatherVelocity(bodies, group.a, a);
     gatherVelocity(bodies, group.b, b);
@@ -53,7 +52,7 @@ CAROM_INLINE void solveGroup(BallGroup& group, SolverBody* bodies, const Displac
 /// Removes from the velocities of a group the effect of contacts whose impulses have grown by more than a
 /// closing speed at rest explains: impacts, which are then treated by Newton's law.
 CAROM_INLINE void takeBack(BallGroup& group, SolverBody* bodies, double resting, const ActiveBodies& active) {
-    if (group.idle || !group.bounces) return;
+    if (!group.bounces) return;
     BallRow& row = group.row;
     const Wide zero{}, one = wideOf(1), added = row.normal - row.carried;
     const auto isStruck = (added > resting * row.massNormal) & (group.restitution > zero);
@@ -76,7 +75,6 @@ CAROM_INLINE void takeBack(BallGroup& group, SolverBody* bodies, double resting,
 CAROM_INLINE Wide strike(const BallGroup& group, SolverBody* bodies, const Displacement* moved,
                          const Wide& resting, int pass, const ActiveBodies& active) {
     const Wide zero{}, one = wideOf(1);
-    if (group.idle) return zero;
     std::array<std::uint8_t, wideLanes> last;
     for (std::size_t lane = 0; lane < wideLanes; ++lane)
         last[lane] = std::max(active.bodies[group.a[lane]], active.bodies[group.b[lane]]);
@@ -108,7 +106,7 @@ CAROM_INLINE Wide strike(const BallGroup& group, SolverBody* bodies, const Displ
 
 /// Reduces the force of pairs that separate faster than a contact at rest to what it was when the step began.
 CAROM_INLINE void forgetImpact(BallGroup& group, const SolverBody* bodies, double resting) {
-    if (group.idle || !group.bounces) return;
+    if (!group.bounces) return;
     Motion a, b;
     gatherVelocity(bodies, group.a, a);
     gatherVelocity(bodies, group.b, b);
@@ -123,8 +121,18 @@ CAROM_INLINE void forgetImpact(BallGroup& group, const SolverBody* bodies, doubl
     row.along2 = part * row.along2;
 }
 
+/// Active groups.
+template<class Group>
+struct Listed {
+    std::span<const std::uint32_t> list;
+    Group* groups;
+
+    std::size_t size() const { return list.size(); }
+    CAROM_INLINE Group& operator[](std::size_t i) const { return groups[list[i]]; }
+};
+
 struct Sweep {
-    std::span<BallGroup> groups;
+    Listed<BallGroup> groups;
     SolverBody* bodies;
     const Displacement* moved;
     const StepSettings& settings;
@@ -153,14 +161,14 @@ CAROM_WIDE double sweep(Pass pass, const Sweep& with) {
     return sweepGroups<Pass::Feedback>(with);
 }
 
-CAROM_WIDE void passBack(std::span<BallGroup> groups, SolverBody* bodies, double resting,
+CAROM_WIDE void passBack(const Listed<BallGroup>& groups, SolverBody* bodies, double resting,
                          const ActiveBodies& active) {
-    for (BallGroup& group : groups) takeBack(group, bodies, resting, active);
+    for (std::size_t i = 0; i < groups.size(); ++i) takeBack(groups[i], bodies, resting, active);
 }
 
 // True if any bounced.
-CAROM_WIDE bool passStrikes(std::span<const BallGroup> groups, SolverBody* bodies, const Displacement* moved,
-                            double resting, int pass, const ActiveBodies& active) {
+CAROM_WIDE bool passStrikes(const Listed<const BallGroup>& groups, SolverBody* bodies,
+                            const Displacement* moved, double resting, int pass, const ActiveBodies& active) {
     const bool back = pass % 2 == 0;
     Wide fastest{};
     const std::size_t count = groups.size();
@@ -170,11 +178,11 @@ CAROM_WIDE bool passStrikes(std::span<const BallGroup> groups, SolverBody* bodie
     return anyLane(fastest);
 }
 
-CAROM_WIDE bool passApproach(BallGroup* groups, std::size_t count, const SolverBody* bodies, double resting) {
+CAROM_WIDE bool passApproach(const Listed<BallGroup>& groups, const SolverBody* bodies, double resting) {
     Wide any{};
-    for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t i = 0; i < groups.size(); ++i) {
         BallGroup& group = groups[i];
-        if (group.idle || !group.bounces) continue;
+        if (!group.bounces) continue;
         Motion a, b;
         gatherVelocity(bodies, group.a, a);
         gatherVelocity(bodies, group.b, b);
@@ -186,10 +194,9 @@ CAROM_WIDE bool passApproach(BallGroup* groups, std::size_t count, const SolverB
     return anyLane(any);
 }
 
-CAROM_WIDE void passWarm(const BallGroup* groups, std::size_t count, SolverBody* bodies) {
-    for (std::size_t i = 0; i < count; ++i) {
+CAROM_WIDE void passWarm(const Listed<const BallGroup>& groups, SolverBody* bodies) {
+    for (std::size_t i = 0; i < groups.size(); ++i) {
         const BallGroup& group = groups[i];
-        if (group.idle) continue;
         Motion a, b;
         gatherVelocity(bodies, group.a, a);
         gatherVelocity(bodies, group.b, b);
@@ -200,15 +207,16 @@ CAROM_WIDE void passWarm(const BallGroup* groups, std::size_t count, SolverBody*
     }
 }
 
-CAROM_WIDE void passForget(std::span<BallGroup> groups, const SolverBody* bodies, double resting) {
-    for (BallGroup& group : groups) forgetImpact(group, bodies, resting);
+CAROM_WIDE void passForget(const Listed<BallGroup>& groups, const SolverBody* bodies, double resting) {
+    for (std::size_t i = 0; i < groups.size(); ++i) forgetImpact(groups[i], bodies, resting);
 }
 
 // Returns the number of impacts.
-CAROM_WIDE int passActivate(std::span<const BallGroup> groups, const ActiveBodies& active) {
+CAROM_WIDE int passActivate(const Listed<const BallGroup>& groups, const ActiveBodies& active) {
     int struck = 0;
-    for (const BallGroup& group : groups) {
-        if (group.idle || !group.bounces) continue;
+    for (std::size_t i = 0; i < groups.size(); ++i) {
+        const BallGroup& group = groups[i];
+        if (!group.bounces) continue;
         const auto isStruck = isImpact(group.row);
         if (!anyLane(isStruck)) continue;
         const Wide lanes = isStruck ? wideOf(1) : Wide{};
@@ -220,67 +228,85 @@ CAROM_WIDE int passActivate(std::span<const BallGroup> groups, const ActiveBodie
 
 } // namespace
 
+// Calls work(list) for the active groups of every section (sections.h).
+template<class Work>
+void BallRows::forActive(bool back, Workers& workers, const Work& work) {
+    const std::span<const std::uint32_t> active = lists().active;
+    Workers& several = active.size() < 2 * fewShared ? Workers::alone() : workers;
+    m_sections.forEachRange(m_groups.size(), back, several, [&](std::size_t begin, std::size_t end) {
+        const auto first = std::lower_bound(active.begin(), active.end(), begin);
+        work(std::span(first, std::lower_bound(first, active.end(), end)));
+    });
+}
+
 bool BallRows::recordApproach(std::span<const SolverBody> bodies, const StepSettings& settings,
                               Workers& workers) {
+    const std::span<const std::uint32_t> active = lists().active;
     std::atomic<bool> any = false;
-    workers.forRanges(m_groups.size(), fewShared, [&](std::size_t begin, std::size_t end) {
-        if (passApproach(m_groups.data() + begin, end - begin, bodies.data(), settings.resting)) any = true;
+    workers.forRanges(active.size(), fewShared, [&](std::size_t begin, std::size_t end) {
+        if (passApproach({active.subspan(begin, end - begin), m_groups.data()}, bodies.data(),
+                         settings.resting))
+            any = true;
     });
     return any;
 }
 
 void BallRows::warmStart(std::span<SolverBody> bodies, Workers& workers) {
-    m_sections.forEach(std::span(m_groups), false, workers, [&](std::span<const BallGroup> groups) {
-        passWarm(groups.data(), groups.size(), bodies.data());
+    forActive(false, workers, [&](std::span<const std::uint32_t> list) {
+        passWarm({list, m_groups.data()}, bodies.data());
     });
 }
 
 void BallRows::solve(std::span<SolverBody> bodies, std::span<const Displacement> moved,
                      const StepSettings& settings, bool back, Workers& workers) {
-    m_sections.forEach(std::span(m_groups), back, workers, [&](std::span<BallGroup> groups) {
-        sweep(Pass::Feedback, {groups, bodies.data(), moved.data(), settings, back});
+    forActive(back, workers, [&](std::span<const std::uint32_t> list) {
+        sweep(Pass::Feedback, {{list, m_groups.data()}, bodies.data(), moved.data(), settings, back});
     });
 }
 
 void BallRows::addCorrection(std::span<const Displacement> moved, const StepSettings& settings,
-                             std::span<double> to) const {
+                             std::span<double> to) {
     const Softnesses softness = softnessesOf(settings);
-    for (const BallGroup& group : m_groups)
-        if (!group.idle)
-            carom::addCorrection(group, group.row, gapNow(group, load(group.normal), moved.data()), softness,
-                                 to);
+    for (const std::uint32_t i : lists().active) {
+        const BallGroup& group = m_groups[i];
+        carom::addCorrection(group, group.row, gapNow(group, load(group.normal), moved.data()), softness, to);
+    }
 }
 
 double BallRows::relax(std::span<SolverBody> bodies, std::span<const Displacement> moved,
                        const StepSettings& settings, bool back, Workers& workers) {
     double residual = 0;
-    m_sections.forEach(std::span(m_groups), back, workers, [&](std::span<BallGroup> groups) {
-        raiseTo(residual, sweep(Pass::Relax, {groups, bodies.data(), moved.data(), settings, back}));
+    forActive(back, workers, [&](std::span<const std::uint32_t> list) {
+        raiseTo(residual,
+                sweep(Pass::Relax, {{list, m_groups.data()}, bodies.data(), moved.data(), settings, back}));
     });
     return residual;
 }
 
-int BallRows::activate(const ActiveBodies& active) const { return passActivate(m_groups, active); }
+int BallRows::activate(const ActiveBodies& active) {
+    return passActivate({lists().active, m_groups.data()}, active);
+}
 
 int BallRows::rebound(std::span<SolverBody> bodies, std::span<const Displacement> moved,
                       const StepSettings& settings, int passes, const ActiveBodies& active,
                       Workers& workers) {
-    m_sections.forEach(std::span(m_groups), false, workers, [&](std::span<BallGroup> groups) {
-        passBack(groups, bodies.data(), settings.resting, active);
+    forActive(false, workers, [&](std::span<const std::uint32_t> list) {
+        passBack({list, m_groups.data()}, bodies.data(), settings.resting, active);
     });
     const auto strikes = [&](int pass) {
         std::atomic<bool> any = false;
-        m_sections.forEach(
-            std::span(m_groups), pass % 2 == 0, workers, [&](std::span<const BallGroup> groups) {
-                if (passStrikes(groups, bodies.data(), moved.data(), settings.resting, pass, active))
-                    any = true;
-            });
+        forActive(pass % 2 == 0, workers, [&](std::span<const std::uint32_t> list) {
+            if (passStrikes({list, m_groups.data()}, bodies.data(), moved.data(), settings.resting, pass,
+                            active))
+                any = true;
+        });
         return any.load();
     };
     int pass = 1;
     while (pass <= passes && strikes(pass)) ++pass;
-    workers.forRanges(m_groups.size(), fewShared, [&](std::size_t begin, std::size_t end) {
-        passForget(std::span(m_groups).subspan(begin, end - begin), bodies.data(), settings.resting);
+    const std::span<const std::uint32_t> solved = lists().active;
+    workers.forRanges(solved.size(), fewShared, [&](std::size_t begin, std::size_t end) {
+        passForget({solved.subspan(begin, end - begin), m_groups.data()}, bodies.data(), settings.resting);
     });
     return std::min(pass, passes);
 }

@@ -79,22 +79,26 @@ class Sections {
     /// way; for several of one phase at once.
     template<class Group, class Work>
     void forEach(std::span<Group> groups, bool back, Workers& workers, const Work& work) const {
-        if (m_ends.empty()) return work(groups);
+        forEachRange(groups.size(), back, workers,
+                     [&](std::size_t begin, std::size_t end) { work(groups.subspan(begin, end - begin)); });
+    }
+    /// The same of so many groups: calls work(begin, end).
+    template<class Work>
+    void forEachRange(std::size_t groups, bool back, Workers& workers, const Work& work) const {
+        if (m_ends.empty()) return work(std::size_t{0}, groups);
         const auto beginOf = [&](std::size_t section) {
-            return section == 0 ? std::size_t{0} : m_ends[section - 1];
+            return section == 0 ? std::size_t{0} : std::size_t{m_ends[section - 1]};
         };
         const auto endOf = [&](std::size_t section) {
-            return section == m_ends.size() ? groups.size() : m_ends[section];
+            return section == m_ends.size() ? groups : std::size_t{m_ends[section]};
         };
         for (std::size_t k = 0; k < sectionPhases; ++k) {
             const std::size_t phase = back ? sectionPhases - 1 - k : k, first = m_first[phase],
                               last = phase + 1 == sectionPhases ? m_ends.size() : m_first[phase + 1] - 1;
             if (last + 1 == first) continue; // a phase without sections
             Workers& several = endOf(last) - beginOf(first) < 2 * fewShared ? Workers::alone() : workers;
-            several.forEach(last + 1 - first, [&](std::size_t, std::size_t i) {
-                const std::size_t begin = beginOf(first + i);
-                work(groups.subspan(begin, endOf(first + i) - begin));
-            });
+            several.forEach(last + 1 - first,
+                            [&](std::size_t, std::size_t i) { work(beginOf(first + i), endOf(first + i)); });
         }
     }
     std::size_t bytes() const { return heldBytes(m_ends); }

@@ -344,7 +344,7 @@ class SteppedMotion {
     bool isStruck(const Watched& pair) const;
     std::size_t nextStruck(std::size_t number) const;
     bool addStruck(const SteppedInput& input, double duration, Manifolds& manifolds, SteppedReport& report);
-    std::size_t points() const { return wideLanes * (m_rows.points().size() + m_balls.activeGroups()); }
+    std::size_t points() { return wideLanes * (m_rows.points().size() + m_balls.activeGroups()); }
     void foreseeTurned(const SteppedInput& input, double duration);
     void moveAhead(const SteppedInput& input, const Foreseen& body, double part);
     bool lookAhead(const SteppedInput& input, double duration, Manifolds& manifolds, SteppedReport& report,
