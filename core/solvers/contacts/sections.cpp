@@ -55,6 +55,7 @@ std::span<const std::uint8_t> Slabs::divide(const Vec3& gravity) {
 
 void SectionPlan::make(std::span<const std::uint32_t> islandOf, std::span<const std::uint8_t> slabOf,
                        std::size_t islands) {
+    m_isMade = true;
     m_bodies.assign(islands, 0);
     m_slabs.assign(islands, 1);
     for (std::size_t i = 1; i < islandOf.size(); ++i) {

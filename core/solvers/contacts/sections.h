@@ -143,6 +143,9 @@ class SectionPlan {
     /// Bodies have numbers; 0 cannot move, the others have an island, below `islands`, and a slab of it.
     void make(std::span<const std::uint32_t> islandOf, std::span<const std::uint8_t> slabOf,
               std::size_t islands);
+    /// What it is made of has changed.
+    void forget() { m_isMade = false; }
+    bool isMade() const { return m_isMade; }
     bool isDivided() const { return m_phaseOf.size() > 2; }
     std::uint32_t sectionOf(std::uint32_t a, std::uint32_t b) const {
         if (a == 0 || b == 0) return m_own[std::max(a, b)];
@@ -174,6 +177,7 @@ class SectionPlan {
   private:
     std::uint32_t last() const { return static_cast<std::uint32_t>(m_phaseOf.size() - 1); }
 
+    bool m_isMade = false;
     std::vector<std::uint32_t> m_own;       // by body: the section of pairs within its slab
     std::vector<std::uint32_t> m_beside;    // by such a section: that of pairs between it and the next one
     std::vector<std::uint8_t> m_phaseOf;    // by section

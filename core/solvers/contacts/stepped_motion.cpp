@@ -96,11 +96,14 @@ void SteppedMotion::begin(const Bodies& bodies, const Division& division, double
     m_isUnordered = m_isOrderedSoon = false;
     m_balls.clear();
     m_forced.clear();
+    m_moving.isKnown = false;
+    m_plan.forget();
 }
 
 void SteppedMotion::addIsland(const SteppedInput& input, std::span<const BodyIndex> list,
                               std::span<const std::uint32_t> springs) {
-    m_isAfterKnown = false;
+    m_isAfterKnown = m_moving.isKnown = false;
+    m_plan.forget();
     const std::uint32_t island = static_cast<std::uint32_t>(m_groups.size());
     m_groups.push_back({.joined = island, .bodies = list.size()});
     for (const BodyIndex body : list) {
@@ -142,6 +145,7 @@ void SteppedMotion::joinIslands(std::uint32_t one, std::uint32_t other) {
 
 void SteppedMotion::settle() {
     if (std::exchange(m_isSettled, true)) return;
+    m_plan.forget();
     for (std::size_t i = 1; i < m_island.size(); ++i) m_island[i] = rootOf(m_island[i]);
 }
 
@@ -161,6 +165,7 @@ void SteppedMotion::addPair(const SteppedInput& input, const Entry& entry, Manif
     }
     if (m_ascending == m_general.size() && (m_general.empty() || m_entries[m_general.back()] < entry))
         ++m_ascending;
+    m_moving.isKnown = false;
     m_general.push_back(index);
     m_open.emplace_back();
     if (entry.place == Manifolds::none) m_entries.back().place = manifolds.add(entry.pair);
@@ -239,11 +244,8 @@ SteppedReport SteppedMotion::advance(const SteppedInput& input, Manifolds& manif
 // Predicts how far each body moves until the end of the step, from its pose at the look, and whether it was
 // struck.
 void SteppedMotion::foreseeStruck(double duration, Workers& workers) {
-    m_coming.resize(m_bodies.size());
-    m_coming[immobile] = {};
-    if (m_awake.size() + 1 < m_bodies.size()) std::fill(m_coming.begin(), m_coming.end(), Coming{});
-    workers.forRanges(m_awake.size(), fewAwake, [&](std::size_t begin, std::size_t end) {
-        foreseeStruck(duration, std::span(m_awake).subspan(begin, end - begin));
+    workers.forRanges(m_moving.paired.size(), fewAwake, [&](std::size_t begin, std::size_t end) {
+        foreseeStruck(duration, std::span(m_moving.paired).subspan(begin, end - begin));
     });
 }
 
@@ -348,7 +350,7 @@ void SteppedMotion::step(const SteppedInput& input, double duration, Manifolds& 
     }
     limitEnergy(settings, input.workers, true);
     if (!m_links.empty()) limitSprings(input, settings, report);
-    if (const std::uint32_t lost = firstNotFinite(m_bodies, m_awake); lost != immobile) {
+    if (const std::uint32_t lost = firstNotFinite(m_bodies, m_moving.awake); lost != immobile) {
         const bool isVelocity = !vectorOf(m_bodies[lost].velocity).allFinite();
         report.loss = {m_list[lost - 1], isVelocity ? "velocity" : "angular velocity"};
         return;
@@ -385,7 +387,7 @@ void SteppedMotion::limitEnergy(const StepSettings& settings, Workers& workers, 
     if (!mayGainEnergy(settings)) return;
     const std::span<const std::uint32_t> part = partOf();
     m_stepEnergy.remember(m_bodies, m_free, part, parts(), workers);
-    for (const std::uint32_t i : std::span<const std::uint32_t>(m_awake))
+    for (const std::uint32_t i : m_moving.awake)
         m_stepEnergy.allow(part[i], 0.5 * settings.resting * settings.resting / m_bodies[i].inverseMass);
     for (const SpringRow& spring : m_springs) // m_springLimit is theirs
         m_stepEnergy.allow(part[std::max(spring.a, spring.b)], std::numeric_limits<double>::infinity());
@@ -403,17 +405,18 @@ void SteppedMotion::limitEnergy(const StepSettings& settings, Workers& workers, 
 
 // Whether contacts may have given some island that much energy: as if all bodies were balls.
 bool SteppedMotion::mayGainEnergy(const StepSettings& settings) {
-    findGains(m_bodies, m_free, m_awake, settings.resting * settings.resting, m_gains);
-    m_gained.assign(parts(), 0);
-    const std::span<const std::uint32_t> part = partOf();
-    for (std::size_t k = 0; k < m_awake.size(); ++k) m_gained[part[m_awake[k]]] += m_gains[k];
-    return std::any_of(m_gained.begin(), m_gained.end(), [](double sum) { return sum > 0; });
+    const std::span<const std::uint32_t> awake = m_moving.awake, part = partOf();
+    findGains(m_bodies, m_free, awake, settings.resting * settings.resting, m_gains);
+    m_gained.resize(parts());
+    for (const std::uint32_t i : awake) m_gained[part[i]] = 0;
+    for (std::size_t k = 0; k < awake.size(); ++k) m_gained[part[awake[k]]] += m_gains[k];
+    return std::any_of(awake.begin(), awake.end(), [&](std::uint32_t i) { return m_gained[part[i]] > 0; });
 }
 
 // Applies force terms as if only they and gravity acted: as an impulse before those of the contacts.
 void SteppedMotion::applyTerms(const SteppedInput& input, double duration) {
     m_forced.clear();
-    for (const std::uint32_t i : std::span<const std::uint32_t>(m_awake))
+    for (const std::uint32_t i : m_moving.awake)
         if (input.bodies.forces.actOn(m_list[i - 1]))
             m_forced.add(i, input.bodies, input.state, m_list[i - 1], duration);
     m_forced.solve(input.bodies.forces, input.gravity, duration);
@@ -509,11 +512,12 @@ CAROM_WIDE void SteppedMotion::shift(const SteppedInput& input, double duration,
 }
 
 void SteppedMotion::move(const SteppedInput& input, double duration) {
-    input.workers.forRanges(m_awake.size(), fewAwake, [&](std::size_t begin, std::size_t end) {
-        shift(input, duration, std::span(m_awake).subspan(begin, end - begin));
+    const std::span<const std::uint32_t> awake = m_moving.awake;
+    input.workers.forRanges(awake.size(), fewAwake, [&](std::size_t begin, std::size_t end) {
+        shift(input, duration, awake.subspan(begin, end - begin));
     });
     m_turns.clear();
-    for (const std::uint32_t i : std::span<const std::uint32_t>(m_awake))
+    for (const std::uint32_t i : awake)
         if (vectorOf(m_bodies[i].spin) != Vec3::Zero() && !turnsLater(m_bodies[i])) m_turns.push_back(i);
     m_turning.turn(m_turns, duration, m_bodies, input.workers);
     input.workers.forRanges(m_turns.size(), fewAwake, [&](std::size_t begin, std::size_t end) {

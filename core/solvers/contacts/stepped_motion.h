@@ -261,6 +261,14 @@ class SteppedMotion {
         BodyIndex body = 0;
         bool turns = false; ///< otherwise along the axes of the world
     };
+    /// What moves: known until bodies or pairs come or go, or other bodies stand still. As long as it is
+    /// known, what is kept by number of the others is 0.
+    struct Moving {
+        std::vector<std::uint32_t> awake;  ///< numbers of those that do not stand still
+        std::vector<std::uint32_t> pairs;  ///< in m_general, of which one moves
+        std::vector<std::uint32_t> paired; ///< numbers of those awake in such pairs
+        bool isKnown = false;
+    };
     /// How far a body has moved since the last look, and how far it may move until the next.
     struct Travel {
         Vec3 came = Vec3::Zero(), comes = Vec3::Zero(); ///< its centre [m]
@@ -336,6 +344,7 @@ class SteppedMotion {
     Seen see(const ManifoldInput& here, std::uint32_t number, double fall, Manifolds& manifolds,
              std::size_t& collided);
     void findMoving();
+    void forgetMoved();
     void noteTravel(const SteppedInput& input, double duration);
     bool staysOpen(OpenPair& pair, double fall) const;
     OpenPair openPairOf(const ManifoldInput& here, std::uint32_t number, const Manifolds& manifolds) const;
@@ -381,7 +390,7 @@ class SteppedMotion {
     /// The same for all that do not stand still.
     template<class Work>
     void forAwake(Workers& workers, const Work& work) const {
-        forEachOf(m_awake, workers, work);
+        forEachOf(m_moving.awake, workers, work);
     }
     void renewMasses();
     /// A ball without springs: its orientation is not used before the next look.
@@ -434,12 +443,11 @@ class SteppedMotion {
     bool m_areStillNoted = true;    // by all pairs
     std::size_t m_heldContacts = 0; // between bodies that stand still, or cannot move; balls apart
     double m_heldDeepest = 0;       // overlap of these [m]
-    Scratch<std::vector<std::uint32_t>> m_candidates, m_awake; // numbers; m_awake: of those that move
-    Scratch<std::vector<std::uint32_t>> m_moving;              // into m_general: pairs of which one moves
-    Scratch<std::vector<std::uint32_t>> m_paired;              // numbers of m_awake in such pairs
-    Scratch<std::vector<std::uint8_t>> m_isPaired;             // by number: in such a pair
+    Derived<Moving> m_moving;
+    Scratch<std::vector<std::uint32_t>> m_candidates; // numbers
+    Scratch<std::vector<std::uint8_t>> m_isPaired;    // by number: in a pair of which one moves
     Scratch<std::vector<BodyIndex>> m_stopped;
-    Scratch<std::vector<std::uint32_t>> m_part; // by number: the least number of its part
+    Scratch<std::vector<std::uint32_t>> m_part; // by number: the least number of its part; its own if still
     bool m_arePartsFound = false;               // since the last look
     Scratch<std::vector<double>> m_given; // by number: speed that a strike may give what stands still [m/s]
     Scratch<std::vector<std::uint32_t>> m_struckStill; // numbers of these
@@ -479,7 +487,7 @@ class SteppedMotion {
     Scratch<std::vector<PlacedPair>> m_near, m_far; // pairs of balls, to be put in order
     Scratch<PairSort<PlacedPair>> m_sort;
     Scratch<std::vector<std::uint32_t>> m_order, m_added;
-    Scratch<SectionPlan> m_plan;
+    Derived<SectionPlan> m_plan;
     Scratch<Slabs> m_slabs;                                  // of an island
     Scratch<std::vector<std::uint32_t>> m_divided;           // numbers, by island
     Scratch<std::vector<Seen>> m_seen, m_touching, m_sorted; // of a look: all, and those in contact

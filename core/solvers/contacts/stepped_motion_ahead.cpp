@@ -31,7 +31,7 @@ constexpr double mostTimes = 16;
 CAROM_WIDE void SteppedMotion::foreseeTurned(const SteppedInput& input, double duration) {
     m_foreseen.clear();
     m_hasTurned.assign(m_bodies.size(), 0);
-    for (const std::uint32_t i : std::span<const std::uint32_t>(m_paired)) {
+    for (const std::uint32_t i : m_moving.paired) {
         const Vec3 turn = duration * vectorOf(m_bodies[i].spin);
         Vec3 since = vectorOf(m_moved[i].turn) + turn - m_seenTurn[i];
         if (!(since.squaredNorm() > m_turnable[i].most)) continue;

@@ -110,7 +110,8 @@ void SteppedMotion::keepUnmarked(const Bodies& bodies, NewNumbers& numbers) {
     m_isMarked = false;
 
     kept = 1;
-    m_isAfterKnown = false;
+    m_isAfterKnown = m_moving.isKnown = false;
+    m_plan.forget();
     numbers.bodies.assign(m_bodies.size(), gone);
     numbers.bodies[immobile] = immobile;
     for (std::uint32_t i = 1; i < m_bodies.size(); ++i) {

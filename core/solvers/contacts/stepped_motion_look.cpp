@@ -25,9 +25,7 @@ void SteppedMotion::look(const SteppedInput& input, double duration, Manifolds& 
                          SteppedReport& report) {
     findMoving();
     noteTravel(input, duration);
-    std::fill(m_moved.begin(), m_moved.end(), Displacement{});
-    m_seenTurn.assign(m_bodies.size(), Vec3::Zero());
-    std::fill(m_struck.begin(), m_struck.end(), std::uint8_t{0});
+    forgetMoved();
     findContacts(input, duration, manifolds, report);
     if (wakeStruck(input, manifolds)) {
         findMoving();
@@ -43,21 +41,39 @@ void SteppedMotion::look(const SteppedInput& input, double duration, Manifolds& 
 // Lists the bodies that do not stand still, the pairs with such a body that are not of two balls, and the
 // bodies of these pairs.
 void SteppedMotion::findMoving() {
-    m_moving.clear();
+    if (std::exchange(m_moving.isKnown, true)) return;
+    m_moving.pairs.clear();
     m_isPaired.assign(m_bodies.size(), 0);
     for (std::uint32_t number = 0; number < m_general.size(); ++number) {
         const auto [a, b] = numbersOf(m_entries[m_general[number]].pair);
         if (m_still.is(a) && m_still.is(b)) continue;
-        m_moving.push_back(number);
+        m_moving.pairs.push_back(number);
         m_isPaired[a] = m_isPaired[b] = 1;
     }
-    m_awake.clear();
-    m_paired.clear();
+    m_moving.awake.clear();
+    m_moving.paired.clear();
+    m_part.resize(m_bodies.size());
     for (std::uint32_t i = 1; i < m_bodies.size(); ++i) {
-        if (m_still.is(i)) continue;
-        m_awake.push_back(i);
-        if (m_isPaired[i] != 0) m_paired.push_back(i);
+        m_part[i] = i;
+        if (m_still.is(i)) {
+            m_moved[i] = {};
+            continue;
+        }
+        m_moving.awake.push_back(i);
+        if (m_isPaired[i] != 0) m_moving.paired.push_back(i);
     }
+    m_travel.assign(m_bodies.size(), {});
+    m_coming.assign(m_bodies.size(), {});
+    m_seenTurn.resize(m_bodies.size());
+}
+
+// Bodies have not moved since this look.
+void SteppedMotion::forgetMoved() {
+    for (const std::uint32_t i : m_moving.awake) {
+        m_moved[i] = {};
+        m_struck[i] = 0;
+    }
+    for (const std::uint32_t i : m_moving.paired) m_seenTurn[i] = Vec3::Zero();
 }
 
 void SteppedMotion::findContacts(const SteppedInput& input, double duration, Manifolds& manifolds,
@@ -70,7 +86,7 @@ void SteppedMotion::findContacts(const SteppedInput& input, double duration, Man
     m_watched.clear();
     m_touching.clear();
     reserveFor(m_general.size(), m_watched);
-    m_frameOf.assign(m_bodies.size(), BallRows::noPair);
+    m_frameOf.resize(m_bodies.size(), BallRows::noPair);
     m_laws.resize(m_entries.size());
     const ManifoldInput here{input.bodies, input.state, input.gravity, duration};
     updatePairs(here, manifolds, input.workers, report);
@@ -90,10 +106,11 @@ void SteppedMotion::updatePairs(const ManifoldInput& here, Manifolds& manifolds,
                                 SteppedReport& report) {
     const double fall = here.gravity.norm() * here.duration * here.duration;
     std::atomic<std::size_t> collided = 0;
-    m_seen.resize(m_moving.size());
-    workers.forRanges(m_moving.size(), fewManifolds, [&](std::size_t begin, std::size_t end) {
+    const std::span<const std::uint32_t> pairs = m_moving.pairs;
+    m_seen.resize(pairs.size());
+    workers.forRanges(pairs.size(), fewManifolds, [&](std::size_t begin, std::size_t end) {
         std::size_t count = 0;
-        for (std::size_t i = begin; i < end; ++i) m_seen[i] = see(here, m_moving[i], fall, manifolds, count);
+        for (std::size_t i = begin; i < end; ++i) m_seen[i] = see(here, pairs[i], fall, manifolds, count);
         collided += count;
     });
     report.work.pairsCollided += collided;
@@ -151,7 +168,7 @@ CAROM_INLINE std::uint32_t SteppedMotion::frameOf(BodyIndex body, std::uint32_t 
 // Makes rows of the pairs in contact, section by section. Their places depend on the pairs before; what they
 // are does not.
 void SteppedMotion::addRows(const ManifoldInput& here, Manifolds& manifolds, Workers& workers) {
-    m_plan.make(m_island, m_slab, m_groups.size());
+    if (!m_plan.isMade()) m_plan.make(m_island, m_slab, m_groups.size());
     const std::span<const SectionEnd> sections =
         m_plan.sort(m_touching, m_sorted, [](const Seen& seen) { return std::pair(seen.a, seen.b); });
     m_placed.clear();
@@ -166,6 +183,7 @@ void SteppedMotion::addRows(const ManifoldInput& here, Manifolds& manifolds, Wor
                                 frameOf(a, seen.a, !seen.isRound), frameOf(b, seen.b, !seen.isRound)});
         },
         [this](std::size_t phase) { m_rows.endSection(phase); });
+    for (const Framed& framed : m_framed) m_frameOf[m_local[framed.body]] = BallRows::noPair;
     m_frames.resize(m_framed.size());
     workers.forRanges(m_framed.size(), fewFrames, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
@@ -243,8 +261,7 @@ void SteppedMotion::setRow(const ManifoldInput& here, const Placed& placed, Mani
 }
 
 void SteppedMotion::noteTravel(const SteppedInput& input, double duration) {
-    m_travel.assign(m_bodies.size(), {});
-    forEachOf(m_paired, input.workers, [&](std::uint32_t i) {
+    forEachOf(m_moving.paired, input.workers, [&](std::uint32_t i) {
         const BodyIndex body = m_list[i - 1];
         const SolverBody& from = m_bodies[i];
         const double radius = from.roundInverse > 0 ? 0 : input.bodies.boundingRadius[body];

@@ -28,6 +28,7 @@ void SteppedMotion::order(const SteppedInput& input) {
 
 // Divides the islands that are not in order into slabs.
 void SteppedMotion::divide(const SteppedInput& input) {
+    m_plan.forget();
     m_divided.clear();
     for (std::uint32_t i = 1; i < m_island.size(); ++i)
         if (m_groups[m_island[i]].isUnordered) m_divided.push_back(i);
@@ -51,6 +52,7 @@ void SteppedMotion::divide(const SteppedInput& input) {
 
 // Inserts the pairs that were added among those that are in order.
 void SteppedMotion::orderGeneral() {
+    m_moving.isKnown = false;
     const auto isBefore = [this](std::uint32_t one, std::uint32_t other) {
         return m_entries[one] < m_entries[other];
     };
@@ -79,6 +81,7 @@ void SteppedMotion::renumberGeneral(std::size_t from, std::size_t to) {
 
 // Removes the pairs of general shapes that are gone.
 void SteppedMotion::dropGone() {
+    m_moving.isKnown = false;
     const auto isGone = [this](std::uint32_t entry) { return m_entries[entry].isGone; };
     std::size_t kept = static_cast<std::size_t>(std::find_if(m_general.begin(), m_general.end(), isGone) -
                                                 m_general.begin());
@@ -106,7 +109,7 @@ void SteppedMotion::orderBalls(const SteppedInput& input) {
     for (Group& group : m_groups) group.isUnordered = false;
     for (std::vector<PlacedPair>* list : {&m_near, &m_far}) m_sort.sort(*list, input.bodies.count());
     m_near.insert(m_near.end(), m_far.begin(), m_far.end());
-    m_plan.make(m_island, m_slab, m_groups.size());
+    if (!m_plan.isMade()) m_plan.make(m_island, m_slab, m_groups.size());
     const std::span<const SectionEnd> sections =
         m_plan.sort(m_near, m_far, [this](const PlacedPair& placed) { return numbersOf(placed.pair); });
     m_order.clear();

@@ -37,6 +37,7 @@ void SteppedMotion::setMass(const SteppedInput& input, std::uint32_t number) {
 // Stops the candidates on which the forces balance: they stand still from now on.
 void SteppedMotion::holdStill(const SteppedInput& input, const Manifolds& manifolds) {
     if (m_candidates.empty()) return;
+    m_moving.isKnown = false;
     for (const std::uint32_t i : std::span<const std::uint32_t>(m_candidates)) m_still.set(i, true);
     addUpLoads(input, manifolds);
     m_stopped.clear();
@@ -173,7 +174,7 @@ void SteppedMotion::sampleLoads() {
 bool SteppedMotion::wakeUnbalanced(const SteppedInput& input, double part) {
     bool any = false;
     if (!m_still.any()) return any;
-    for (std::uint32_t i = 1; i < m_bodies.size(); ++i) {
+    for (const std::uint32_t i : m_still.pressed()) {
         if (!m_still.is(i) || !m_still.isPressed(i) || !isUnbalanced(input, i, part)) continue;
         moveOn(input, i);
         any = true;
@@ -185,13 +186,12 @@ bool SteppedMotion::wakeUnbalanced(const SteppedInput& input, double part) {
 // motion from one contact to another.
 void SteppedMotion::findParts() {
     if (!m_still.any() || std::exchange(m_arePartsFound, true)) return;
-    m_part.resize(m_bodies.size());
-    for (std::uint32_t i = 0; i < m_bodies.size(); ++i) m_part[i] = i;
+    for (const std::uint32_t i : m_moving.awake) m_part[i] = i;
     for (const RowGroup& group : m_rows.groups())
         for (std::size_t lane = 0; lane < wideLanes; ++lane) joinParts(group.a[lane], group.b[lane]);
     for (const Watched& pair : m_watched) joinParts(pair.a, pair.b);
     m_balls.forEachPair([this](std::uint32_t a, std::uint32_t b) { joinParts(a, b); });
-    for (std::uint32_t i = 1; i < m_bodies.size(); ++i) m_part[i] = partWith(i);
+    for (const std::uint32_t i : m_moving.awake) m_part[i] = partWith(i);
 }
 
 std::uint32_t SteppedMotion::partWith(std::uint32_t number) {
@@ -206,6 +206,7 @@ void SteppedMotion::joinParts(std::uint32_t a, std::uint32_t b) {
 }
 
 void SteppedMotion::moveOn(const SteppedInput& input, std::uint32_t number) {
+    m_moving.isKnown = false;
     m_still.set(number, false);
     setMass(input, number);
 }
@@ -214,7 +215,7 @@ void SteppedMotion::moveOn(const SteppedInput& input, std::uint32_t number) {
 // strike in turn. True if there are any.
 bool SteppedMotion::wakeStruck(const SteppedInput& input, const Manifolds& manifolds) {
     if (!m_still.any()) return false;
-    m_given.assign(m_bodies.size(), 0);
+    m_given.resize(m_bodies.size(), 0);
     m_struckStill.clear();
     const auto strike = [&](std::uint32_t a, std::uint32_t b, double closing, double restitution) {
         if (m_still.is(a) == m_still.is(b)) return;
@@ -241,7 +242,10 @@ bool SteppedMotion::wakeStruck(const SteppedInput& input, const Manifolds& manif
     });
     if (m_struckStill.empty()) return false;
     passOnStrikes(input, manifolds);
-    for (const std::uint32_t i : std::span<const std::uint32_t>(m_struckStill)) moveOn(input, i);
+    for (const std::uint32_t i : std::span<const std::uint32_t>(m_struckStill)) {
+        m_given[i] = 0;
+        moveOn(input, i);
+    }
     noteStill(input, manifolds);
     return true;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/solvers/contacts/still_bodies.h"
 
+#include <utility>
+
 namespace carom {
 namespace {
 
@@ -16,6 +18,7 @@ void StillBodies::begin() {
     m_isChanged.assign(1, 0);
     m_lasting.assign(1, {});
     m_passing.assign(1, {});
+    m_pressed.isKnown = false;
     m_count = 0;
 }
 
@@ -24,6 +27,7 @@ void StillBodies::add() {
     m_isChanged.push_back(0);
     m_lasting.emplace_back();
     m_passing.emplace_back();
+    m_pressed.isKnown = false;
 }
 
 void StillBodies::renumber(std::size_t from, std::size_t to) {
@@ -38,14 +42,28 @@ void StillBodies::resize(std::size_t count) {
     m_isChanged.resize(count);
     m_lasting.resize(count);
     m_passing.resize(count);
+    m_pressed.isKnown = false;
     m_count = 0;
     for (std::size_t i = 1; i < count; ++i) m_count += m_is[i];
 }
 
-void StillBodies::beginSamples() { m_sample.assign(m_is.size(), {}); }
+void StillBodies::findPressed() {
+    if (std::exchange(m_pressed.isKnown, true)) return;
+    m_pressed.list.clear();
+    m_pressed.is.assign(m_is.size(), 0);
+    m_sample.resize(m_is.size());
+    for (std::uint32_t i = 1; i < m_is.size(); ++i)
+        if (m_passing[i].borne > 0) press(i);
+}
+
+void StillBodies::beginSamples() {
+    if (!m_pressed.isKnown) m_sample.clear();
+    findPressed();
+    for (const std::uint32_t i : m_pressed.list) m_sample[i] = {};
+}
 
 void StillBodies::takeSamples() {
-    for (std::size_t i = 1; i < m_is.size(); ++i) {
+    for (const std::uint32_t i : m_pressed.list) {
         if (m_is[i] == 0 || !(m_sample[i].borne > 0 || m_passing[i].borne > 0)) continue;
         m_passing[i].force += sampleWeight * (m_sample[i].force - m_passing[i].force);
         m_passing[i].borne += sampleWeight * (m_sample[i].borne - m_passing[i].borne);

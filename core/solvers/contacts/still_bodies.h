@@ -85,16 +85,30 @@ class StillBodies {
     void touch(std::uint32_t number) { m_isTouched[number] = number != 0 ? 1 : 0; }
     std::span<const std::uint8_t> touched() const { return m_isTouched; }
     bool isTouched(std::uint32_t number) const { return m_isTouched[number] != 0; }
-    void clearLoads(std::uint32_t number) { m_lasting[number] = m_passing[number] = {}; }
+    void clearLoads(std::uint32_t number) {
+        m_lasting[number] = m_passing[number] = {};
+        m_pressed.isKnown = false;
+    }
 
     /// Load that does not change while the same bodies stand still: by gravity and by contacts between them.
     Load& lasting(std::uint32_t number) { return m_lasting[number]; }
     /// Load by contacts with bodies that move, averaged.
-    Load& passing(std::uint32_t number) { return m_passing[number]; }
+    Load& passing(std::uint32_t number) {
+        m_pressed.isKnown = false;
+        return m_passing[number];
+    }
     /// The same in this substep alone.
-    Load& sample(std::uint32_t number) { return m_sample[number]; }
+    Load& sample(std::uint32_t number) {
+        press(number);
+        return m_sample[number];
+    }
     /// Whether a body that moves presses on it, or did recently.
     bool isPressed(std::uint32_t number) const { return m_passing[number].borne > 0; }
+    /// Those that stand still of which that holds, and others.
+    std::span<const std::uint32_t> pressed() {
+        findPressed();
+        return m_pressed.list;
+    }
     void beginSamples();
     /// Adds the samples to the mean.
     void takeSamples();
@@ -103,10 +117,24 @@ class StillBodies {
     std::size_t bytes() const { return heldBytes(m_is, m_isChanged, m_lasting, m_passing); }
 
   private:
+    /// Bodies with a passing load or a sample; no others have either.
+    struct Pressed {
+        std::vector<std::uint32_t> list;
+        std::vector<std::uint8_t> is; ///< by number: in the list
+        bool isKnown = false;
+    };
+    void findPressed();
+    void press(std::uint32_t number) {
+        if (m_pressed.is[number] != 0) return;
+        m_pressed.is[number] = 1;
+        m_pressed.list.push_back(number);
+    }
+
     std::vector<std::uint8_t> m_is, m_isChanged;
     Scratch<std::vector<std::uint8_t>> m_isTouched;
     std::vector<Load> m_lasting, m_passing;
     Scratch<std::vector<Load>> m_sample;
+    Derived<Pressed> m_pressed;
     std::size_t m_count = 0; // without number 0
 };
 
