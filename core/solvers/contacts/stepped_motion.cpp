@@ -102,7 +102,7 @@ void SteppedMotion::begin(const Bodies& bodies, const Division& division, double
 
 void SteppedMotion::addIsland(const SteppedInput& input, std::span<const BodyIndex> list,
                               std::span<const std::uint32_t> springs) {
-    m_isAfterKnown = m_moving.isKnown = false;
+    m_isAfterKnown = m_moving.isKnown = m_weight.isKnown = false;
     m_plan.forget();
     const std::uint32_t island = static_cast<std::uint32_t>(m_groups.size());
     m_groups.push_back({.joined = island, .bodies = list.size()});
@@ -214,10 +214,7 @@ SteppedReport SteppedMotion::advance(const SteppedInput& input, Manifolds& manif
     if (std::exchange(m_isOrderedSoon, false) || input.isFirst) order(input);
     if (!m_areStillNoted) noteStill(input, manifolds);
     SteppedReport report;
-    const bool isKnown = std::exchange(m_isAfterKnown, false) && !input.isFirst;
-    if (input.ledger != nullptr && !isKnown)
-        m_after = invariantsOf(input.bodies, m_list, input.state, input.gravity);
-    const Invariants before = m_after;
+    if (input.ledger != nullptr) rememberBefore(input);
     m_step = part * m_substep / (m_division.looks * m_division.steps);
     for (int k = 0; k < m_division.looks; ++k) {
         look(input, m_step * m_division.steps, manifolds, report);
@@ -231,14 +228,27 @@ SteppedReport SteppedMotion::advance(const SteppedInput& input, Manifolds& manif
         sampleLoads();
     }
     if (m_still.any()) m_still.takeSamples();
+    if (input.ledger != nullptr) recordMotion(input, part * m_substep);
     if (wakeUnbalanced(input, StillBodies::toMoveOn)) noteStill(input, manifolds);
-    if (input.ledger != nullptr) { // impulses of a sweep are not told apart: all are recorded under Contact
-        m_after = invariantsOf(input.bodies, m_list, input.state, input.gravity);
-        recordDifference(before, m_after, weightOf(input.bodies, m_list, part * m_substep * input.gravity),
-                         LedgerAccount::Contact, *input.ledger);
-        m_isAfterKnown = true;
-    }
     return report;
+}
+
+// What stands still keeps all that the ledger knows of it but its weight.
+void SteppedMotion::rememberBefore(const SteppedInput& input) {
+    const bool isKnown = m_isAfterKnown && m_moving.isKnown && !input.isFirst;
+    m_isAfterKnown = false;
+    findMoving();
+    m_atBegin = isKnown ? m_after : invariantsOf(input.bodies, m_moving.bodies, input.state, input.gravity);
+}
+
+// Impulses of a sweep are not told apart: all are recorded under Contact.
+void SteppedMotion::recordMotion(const SteppedInput& input, double duration) {
+    m_after = invariantsOf(input.bodies, m_moving.bodies, input.state, input.gravity);
+    m_isAfterKnown = true;
+    const Vec3 change = duration * input.gravity;
+    if (!m_weight.isKnown || m_weight.change != change)
+        static_cast<Weight&>(m_weight) = {weightOf(input.bodies, m_list, change), change, true};
+    recordDifference(m_atBegin, m_after, m_weight.sum, LedgerAccount::Contact, *input.ledger);
 }
 
 // Predicts how far each body moves until the end of the step, from its pose at the look, and whether it was
@@ -594,7 +604,7 @@ std::size_t SteppedMotion::bytes() const {
 void SteppedMotion::clear() {
     for (const BodyIndex body : m_list) m_local[body] = 0;
     m_list.clear();
-    m_isAfterKnown = false;
+    m_isAfterKnown = m_weight.isKnown = false;
 }
 
 } // namespace carom

@@ -265,8 +265,14 @@ class SteppedMotion {
     /// known, what is kept by number of the others is 0.
     struct Moving {
         std::vector<std::uint32_t> awake;  ///< numbers of those that do not stand still
+        std::vector<BodyIndex> bodies;     ///< these
         std::vector<std::uint32_t> pairs;  ///< in m_general, of which one moves
         std::vector<std::uint32_t> paired; ///< numbers of those awake in such pairs
+        bool isKnown = false;
+    };
+    /// Momentum that gravity gives all bodies in a substep [kg m/s], where it changes velocities by `change`.
+    struct Weight {
+        Vec3 sum = Vec3::Zero(), change = Vec3::Zero();
         bool isKnown = false;
     };
     /// How far a body has moved since the last look, and how far it may move until the next.
@@ -343,6 +349,8 @@ class SteppedMotion {
                      SteppedReport& report);
     Seen see(const ManifoldInput& here, std::uint32_t number, double fall, Manifolds& manifolds,
              std::size_t& collided);
+    void rememberBefore(const SteppedInput& input);
+    void recordMotion(const SteppedInput& input, double duration);
     void findMoving();
     void forgetMoved();
     void noteTravel(const SteppedInput& input, double duration);
@@ -429,8 +437,10 @@ class SteppedMotion {
 
     Division m_division;
     double m_substep = 0, m_step = 0; // [s]
-    Invariants m_after;               // of the bodies, with a ledger, as the last substep left them
+    Invariants m_atBegin;             // of the bodies that move, with a ledger, before the substep
+    Invariants m_after;               // as the last substep left them
     bool m_isAfterKnown = false;      // the same bodies are here since
+    Derived<Weight> m_weight;
     std::vector<BodyIndex> m_list;
     std::vector<std::uint32_t> m_local; // by body of the scene: its number in the arrays below, or 0
     // By number; 0 cannot move.
@@ -446,7 +456,7 @@ class SteppedMotion {
     Derived<Moving> m_moving;
     Scratch<std::vector<std::uint32_t>> m_candidates; // numbers
     Scratch<std::vector<std::uint8_t>> m_isPaired;    // by number: in a pair of which one moves
-    Scratch<std::vector<BodyIndex>> m_stopped;
+    Scratch<std::vector<BodyIndex>> m_stopped, m_woken;
     Scratch<std::vector<std::uint32_t>> m_part; // by number: the least number of its part; its own if still
     bool m_arePartsFound = false;               // since the last look
     Scratch<std::vector<double>> m_given; // by number: speed that a strike may give what stands still [m/s]

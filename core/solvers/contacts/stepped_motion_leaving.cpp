@@ -110,7 +110,7 @@ void SteppedMotion::keepUnmarked(const Bodies& bodies, NewNumbers& numbers) {
     m_isMarked = false;
 
     kept = 1;
-    m_isAfterKnown = m_moving.isKnown = false;
+    m_isAfterKnown = m_moving.isKnown = m_weight.isKnown = false;
     m_plan.forget();
     numbers.bodies.assign(m_bodies.size(), gone);
     numbers.bodies[immobile] = immobile;

@@ -51,6 +51,7 @@ void SteppedMotion::findMoving() {
         m_isPaired[a] = m_isPaired[b] = 1;
     }
     m_moving.awake.clear();
+    m_moving.bodies.clear();
     m_moving.paired.clear();
     m_part.resize(m_bodies.size());
     for (std::uint32_t i = 1; i < m_bodies.size(); ++i) {
@@ -60,6 +61,7 @@ void SteppedMotion::findMoving() {
             continue;
         }
         m_moving.awake.push_back(i);
+        m_moving.bodies.push_back(m_list[i - 1]);
         if (m_isPaired[i] != 0) m_moving.paired.push_back(i);
     }
     m_travel.assign(m_bodies.size(), {});

@@ -242,10 +242,14 @@ bool SteppedMotion::wakeStruck(const SteppedInput& input, const Manifolds& manif
     });
     if (m_struckStill.empty()) return false;
     passOnStrikes(input, manifolds);
+    m_woken.clear();
     for (const std::uint32_t i : std::span<const std::uint32_t>(m_struckStill)) {
         m_given[i] = 0;
         moveOn(input, i);
+        m_woken.push_back(m_list[i - 1]);
     }
+    if (input.ledger != nullptr)
+        m_atBegin.potential += invariantsOf(input.bodies, m_woken, input.state, input.gravity).potential;
     noteStill(input, manifolds);
     return true;
 }
