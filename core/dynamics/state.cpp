@@ -78,4 +78,18 @@ Loss findLoss(const Bodies& bodies, const State& state) {
     return {};
 }
 
+Loss findLoss(std::span<const BodyIndex> list, const State& state) {
+    Vec3 sum = Vec3::Zero();
+    double last = 0;
+    for (const BodyIndex i : list) {
+        const Quat& q = state.pose[i].orientation;
+        sum += state.pose[i].position + state.velocity[i] + q.vec() + state.angularVelocity[i];
+        last += q.w();
+    }
+    if (std::isfinite(sum.sum() + last)) return {};
+    for (const BodyIndex i : list)
+        if (!finite(state, i)) return {i, lostQuantity(state, i)};
+    return {};
+}
+
 } // namespace carom

@@ -22,9 +22,6 @@
 #include "core/solvers/contacts/work_budget.h"
 
 #include <algorithm>
-#include <cmath>
-#include <iterator>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -230,8 +227,9 @@ SolverReport Contacts::move(const SolverInput& input) {
     report.respond = m_watch.lap();
     if (report.loss) return report;
     m_coasting.move(input, m_refinement.lone());
-    if (input.part + 1 == input.parts) m_flight.end(input);
-    report.loss = findLoss(input.bodies, input.state);
+    const bool isLast = input.part + 1 == input.parts;
+    if (isLast) m_flight.end(input);
+    report.loss = isLast ? findLoss(input.bodies, input.state) : findLoss(m_members, input.state);
     report.integrate = m_watch.lap();
     return report;
 }
@@ -260,15 +258,21 @@ void Contacts::recall(const SolverMemory& memory) {
 // Finds the mobile bodies that neither sleep nor fly, with those of both kinds that they may touch.
 void Contacts::findMembers(const SolverInput& input) {
     wakeMoved(input);
-    m_members.clear();
-    for (const BodyIndex i : input.bodies.mobileBodies)
-        if (!m_sleeping.isAsleep(i) && (input.part == 0 || !m_flight.has(i))) m_members.push_back(i);
-    if (input.part > 0) m_flight.advance(input);
-    if (!m_members.empty())
+    if (input.part == 0 || !m_woken.empty()) {
+        m_members.clear();
+        for (const BodyIndex i : input.bodies.mobileBodies)
+            if (!m_sleeping.isAsleep(i) && (input.part == 0 || !m_flight.has(i))) m_members.push_back(i);
+    } // else they are those of the last substep: in it, none has fallen asleep or begun to fly
+    if (input.part == 0)
+        m_flight.choose(input, m_isOnSpring, m_base.blockOf(), m_members);
+    else
+        m_flight.advance(input);
+    if (!m_members.empty() || !m_flight.bodies().empty())
         m_neighbours.update(input.bodies, input.state, m_members, input.gravity, input.substep,
                             input.parts * input.substep, input.broadphase);
     if (input.part == 0) {
-        m_flight.start(input, m_isOnSpring, m_base.blockOf(), m_neighbours, m_members);
+        m_flight.start(input, m_neighbours, m_met);
+        if (!m_met.empty()) addMembers(input, m_met);
         m_refinement.forget(m_flight.bodies());
     }
     m_flight.findDue(input, m_met);
@@ -417,7 +421,7 @@ void Contacts::enterForFrames(const SolverInput& input) {
 void Contacts::leaveMarked(const SolverInput& input) {
     m_left.clear();
     m_base.leaveMarked(stepped(input), m_found.manifolds(), m_leaving, m_left);
-    m_sort.sort(m_left, m_bodies.count());
+    if (!m_left.empty()) m_sort.sort(m_left, m_bodies.count());
     m_found.carryWith(m_left);
 }
 
@@ -482,7 +486,7 @@ void Contacts::moveStepped(const SolverInput& input, SolverReport& report) {
     }
     m_left.clear();
     m_brief.leave(stepped(input), m_found.manifolds(), m_left);
-    m_sort.sort(m_left, m_bodies.count());
+    if (!m_left.empty()) m_sort.sort(m_left, m_bodies.count());
     m_found.carryOn(m_left);
     if (input.part + 1 == input.parts && m_settings.resting) sleepWhatRests(input);
 }
@@ -539,7 +543,7 @@ template<class Is>
 void Contacts::sleepMarked(const SolverInput& input, const Is& isCalm) {
     m_left.clear();
     m_base.leaveMarked(stepped(input), m_found.manifolds(), m_leaving, m_left);
-    m_sort.sort(m_left, m_bodies.count());
+    if (!m_left.empty()) m_sort.sort(m_left, m_bodies.count());
     std::sort(m_leaving.begin(), m_leaving.end());
     m_pairs.clear();
     for (const Manifolds::Entry& entry : m_left) m_pairs.push_back(entry.pair);
@@ -562,8 +566,7 @@ void Contacts::putToSleep(const SolverInput& input, const Island& island) {
         if (!manifold.open) appendTo(m_contacts, here(input), pair, manifold);
         m_found.manifolds().remove(std::exchange(entry.place, Manifolds::none));
     }
-    std::sort(m_contacts.pairs.begin(), m_contacts.pairs.end(),
-              [](const ContactPair& one, const ContactPair& other) { return one.bodies() < other.bodies(); });
+    std::ranges::sort(m_contacts.pairs, {}, &ContactPair::bodies);
     fallAsleep(island.bodies);
     m_refinement.forget(island.bodies);
 }
@@ -584,8 +587,7 @@ ContactSet Contacts::contacts(const State& state) const {
     m_base.forEachContact(m_bodies, state, manifolds, [&](const PersistentManifold& manifold) {
         appendTo(stepped, input, pairOf(m_bodies, manifold.pair, 0), manifold);
     });
-    std::sort(stepped.pairs.begin(), stepped.pairs.end(),
-              [](const ContactPair& one, const ContactPair& other) { return one.bodies() < other.bodies(); });
+    std::ranges::sort(stepped.pairs, {}, &ContactPair::bodies);
     return merged(merged(m_contacts, m_sleeping.contacts()), stepped);
 }
 

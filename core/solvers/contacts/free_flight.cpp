@@ -128,9 +128,8 @@ double FreeFlight::timeOfMeetingUnmoved(const SolverInput& input, BodyIndex body
     return noMeeting;
 }
 
-void FreeFlight::start(const SolverInput& input, std::span<const std::uint8_t> isOnSpring,
-                       std::span<const std::uint8_t> isPlaced, Neighbours& neighbours,
-                       std::vector<BodyIndex>& members) {
+void FreeFlight::choose(const SolverInput& input, std::span<const std::uint8_t> isOnSpring,
+                        std::span<const std::uint8_t> isPlaced, std::vector<BodyIndex>& members) {
     m_bodies.clear();
     m_struck.clear();
     std::fill(m_turn.begin(), m_turn.end(), 0.0);
@@ -140,17 +139,25 @@ void FreeFlight::start(const SolverInput& input, std::span<const std::uint8_t> i
         m_part[i] = -1;
     }
     if (!input.motion.isExactInFreeFall || !input.motion.isExactInFreeRotation) return;
+    std::erase_if(members, [&](BodyIndex i) {
+        if (isOnSpring[i] != 0 || isPlaced[i] != 0 || input.bodies.forces.actOn(i)) return false;
+        m_kind[i] = Kind::Flying;
+        m_bodies.push_back(i);
+        return true;
+    });
+}
+
+void FreeFlight::start(const SolverInput& input, Neighbours& neighbours, std::vector<BodyIndex>& landed) {
+    landed.clear();
     const double time = input.parts * input.substep, fall = fallIn(input, time);
     m_fall = fallIn(input, input.substep);
     bool covered = true;
-    for (const BodyIndex i : members) {
-        if (isOnSpring[i] != 0 || isPlaced[i] != 0 || input.bodies.forces.actOn(i)) continue;
-        m_kind[i] = Kind::Flying;
+    for (const BodyIndex i : m_bodies) {
         m_start[i] = {input.state.pose[i].position, input.state.velocity[i]};
         m_turn[i] = turnInFrame(input, i);
         m_due[i] = noMeeting;
-        m_bodies.push_back(i);
-        covered = neighbours.coversFlight(input.state, i, roomOf(input, i), time, fall) && covered;
+        covered =
+            neighbours.coversFlight(input.bodies, input.state, i, {roomOf(input, i), time, fall}) && covered;
     }
     if (!covered) neighbours.search(input.bodies, input.state, input.broadphase);
     input.workers.forRanges(m_bodies.size(), fewStarts, [&](std::size_t begin, std::size_t end) {
@@ -164,10 +171,12 @@ void FreeFlight::start(const SolverInput& input, std::span<const std::uint8_t> i
                 if (fly) lowerTo(m_due[k], meeting);
             }
     });
-    for (const BodyIndex i : m_bodies)
-        if (m_due[i] == 0) m_kind[i] = Kind::Member;
-    std::erase_if(m_bodies, [this](BodyIndex i) { return !has(i); });
-    std::erase_if(members, [this](BodyIndex i) { return has(i); });
+    std::erase_if(m_bodies, [&](BodyIndex i) {
+        if (m_due[i] != 0) return false;
+        m_kind[i] = Kind::Member;
+        landed.push_back(i);
+        return true;
+    });
 }
 
 void FreeFlight::advance(const SolverInput& input) {

@@ -44,11 +44,13 @@ class FreeFlight {
     bool has(BodyIndex body) const { return m_kind[body] == Kind::Flying; }
     std::span<const BodyIndex> bodies() const { return m_bodies; } ///< that fly, ascending
 
-    /// At the start of a frame: moves those that fly from `members`, ascending, to bodies(). The neighbours
-    /// have followed the members. By body, not 0: `isOnSpring`; `isPlaced`, on the base path.
-    void start(const SolverInput& input, std::span<const std::uint8_t> isOnSpring,
-               std::span<const std::uint8_t> isPlaced, Neighbours& neighbours,
-               std::vector<BodyIndex>& members);
+    /// At the start of a frame: moves those that may fly from `members`, ascending, to bodies(). By body, not
+    /// 0: `isOnSpring`; `isPlaced`, on the base path.
+    void choose(const SolverInput& input, std::span<const std::uint8_t> isOnSpring,
+                std::span<const std::uint8_t> isPlaced, std::vector<BodyIndex>& members);
+    /// Finds when these meet something, and writes those that do at once to `landed`, ascending: they are
+    /// members from now on. The neighbours have followed the other members.
+    void start(const SolverInput& input, Neighbours& neighbours, std::vector<BodyIndex>& landed);
     /// Brings the positions and velocities of those that fly to the start of a later substep.
     void advance(const SolverInput& input);
     /// Ends the flights of bodies that meet others in this substep, and writes them to `due`, ascending. They

@@ -20,7 +20,7 @@ constexpr double roominess = 1.2;
 constexpr double tooWide = 2;
 /// Frames for which a body's course goes on. At half, bodies that nothing strikes are found anew twice as
 /// often; at twice, lists hold more that a body will meet much later, or never.
-constexpr int framesOfCourse = 4;
+constexpr int framesOfCourse = 6;
 /// At most one body in so many is found anew by itself, at about twice the cost of its part in a search for
 /// all. At half, such searches cost more than one for all; at twice, all are searched for the sake of a few.
 constexpr std::size_t fewOutrun = 8;
@@ -204,8 +204,12 @@ bool Neighbours::coversAhead(BodyIndex body, double room) {
     return covers(body, room + m_duration * m_course[body].velocityAt(m_now).norm());
 }
 
-bool Neighbours::coversFlight(const State& state, BodyIndex body, double room, double time, double fall) {
+bool Neighbours::coversFlight(const Bodies& bodies, const State& state, BodyIndex body,
+                              const Flight& flight) {
+    const auto [room, time, fall] = flight;
     const Course& course = m_course[body];
+    m_moved[body] = movedFrom(bodies, state, body);
+    m_drift[body] = turnIn(bodies, state, body, m_frame) + fall;
     const double leaves = time * (state.velocity[body] - course.velocityAt(m_now)).norm() + fall;
     // By gravity alone it is so far from its course in the end.
     const double since = std::min(m_now - course.begins, framesOfCourse * m_frame) / time + 1;

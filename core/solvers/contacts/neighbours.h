@@ -116,9 +116,13 @@ class Neighbours {
     /// Notes where a body is that has moved since it was followed.
     void noteMoved(const Bodies& bodies, const State& state, BodyIndex body);
 
-    /// The same for a body that nothing strikes for `time` [s], in all of it; `fall` is how far it then comes
-    /// by gravity [m].
-    bool coversFlight(const State& state, BodyIndex body, double room, double time, double fall);
+    /// A flight of `time` [s] in which a body comes this far by gravity [m], and must find what is within
+    /// `room` [m] of it.
+    struct Flight {
+        double room = 0, time = 0, fall = 0;
+    };
+    /// The same for a body that was not followed, because nothing strikes it, in all of its flight.
+    bool coversFlight(const Bodies& bodies, const State& state, BodyIndex body, const Flight& flight);
 
     /// Bodies may be anywhere now, also those that are not followed: the next update() searches for all.
     void forget();

@@ -44,9 +44,15 @@ class Flights {
     void start(const std::vector<BodyIndex>& held = {}) {
         for (const BodyIndex i : held) m_isHeld[i] = 1;
         members.assign(bodies.mobileBodies.begin(), bodies.mobileBodies.end());
+        flight.choose(input(0), std::vector<std::uint8_t>(bodies.count(), 0), m_isHeld, members);
         m_neighbours.update(bodies, state, members, m_gravity, test::substep, flightParts * test::substep,
                             *m_broadphase);
-        flight.start(input(0), std::vector<std::uint8_t>(bodies.count(), 0), m_isHeld, m_neighbours, members);
+        std::vector<BodyIndex> landed;
+        flight.start(input(0), m_neighbours, landed);
+        members.insert(members.end(), landed.begin(), landed.end());
+        std::sort(members.begin(), members.end());
+        if (!m_neighbours.follow(bodies, state, landed, m_gravity, test::substep))
+            m_neighbours.search(bodies, state, *m_broadphase);
     }
     /// The bodies whose flights end in this part, where members come as far as `reach` [m].
     std::vector<BodyIndex> met(int part, double reach = 0) {

@@ -246,10 +246,11 @@ class NeighboursTest : public QObject {
             neighbours.update(bodies, state, bodies.mobileBodies, Vec3::Zero(), stepTime, frame, *broadphase);
             neighbours.pass(stepTime);
         }
-        if (!neighbours.coversFlight(state, 20, 0.01, frame, fall))
+        const Neighbours::Flight flight{.room = 0.01, .time = frame, .fall = fall};
+        if (!neighbours.coversFlight(bodies, state, 20, flight))
             neighbours.search(bodies, state, *broadphase);
-        QVERIFY(neighbours.coversFlight(state, 20, 0.01, frame, fall));
-        QVERIFY(neighbours.listed(20).size() <= 2); // (1 + 4)² falls: .2 m
+        QVERIFY(neighbours.coversFlight(bodies, state, 20, flight));
+        QVERIFY(neighbours.listed(20).size() <= 4); // (1 + 6)² falls: .4 m
     }
 
     // After a jump to another time even those that are not followed are somewhere else.
