@@ -2,6 +2,7 @@
 #include "core/solvers/contacts/candidates.h"
 
 #include "core/base/reserve.h"
+#include "core/solvers/contacts/manifolds.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,7 +22,7 @@ double roomFor(const Bodies& bodies, BodyIndex body, double reach) {
 } // namespace
 
 Candidates::Candidates(const Bodies& bodies)
-    : m_body(bodies.count()), m_kind(bodies.count(), Kind::Immobile) {
+    : m_body(bodies.count()), m_box(bodies.count()), m_kind(bodies.count(), Kind::Immobile) {
     for (const BodyIndex i : bodies.bounded)
         if (bodies.mobile[i] == 0) m_immobile.push_back(i);
     for (BodyIndex i = 0; i < bodies.count(); ++i) {
@@ -42,15 +43,25 @@ bool Candidates::areWithin(const Bodies& bodies, const State& state, BodyPair pa
     const Body &a = m_body[pair.a], &b = m_body[pair.b];
     const double within = a.radius + b.radius + margin;
     if (!std::isfinite(within)) return boundingGap(bodies, state, pair) <= margin;
-    return (b.centre - a.centre).squaredNorm() <= within * within &&
-           areBoxesWithin(bodies, state, pair, margin);
+    if (!((b.centre - a.centre).squaredNorm() <= within * within)) return false;
+    const bool isBallA = isSphere(bodies, pair.a), isBallB = isSphere(bodies, pair.b);
+    if (isBallA && isBallB) return true;
+    const auto boxOf = [&](BodyIndex i, bool isBall) {
+        return isBall ? bodies.boxAt(i, state.pose[i]) : m_box[i];
+    };
+    return overlap(grown(boxOf(pair.a, isBallA), margin), boxOf(pair.b, isBallB));
+}
+
+void Candidates::notePlace(const Bodies& bodies, const State& state, BodyIndex body) {
+    m_body[body].centre = state.pose[body].position;
+    if (!isSphere(bodies, body)) m_box[body] = bodies.boxAt(body, state.pose[body]);
 }
 
 void Candidates::look(const Bodies& bodies, const State& state, std::span<const BodyIndex> members,
                       std::span<const std::uint8_t> placed, Neighbours& neighbours, Broadphase& broadphase,
                       Workers& workers) {
     for (const BodyIndex i : bodies.mobileBodies) m_kind[i] = Kind::Left;
-    for (const BodyIndex i : m_immobile) m_body[i].centre = state.pose[i].position;
+    for (const BodyIndex i : m_immobile) notePlace(bodies, state, i);
     m_free.clear();
     for (const BodyIndex i : members) {
         m_kind[i] = placed[i] != 0 ? Kind::Placed : Kind::Member;
@@ -76,7 +87,7 @@ bool Candidates::noteReach(const Bodies& bodies, const State& state, std::span<c
                            Neighbours& neighbours) {
     bool covered = true;
     for (const BodyIndex i : members) {
-        m_body[i].centre = state.pose[i].position;
+        notePlace(bodies, state, i);
         setReach(i, neighbours.reach(i));
         covered = neighbours.covers(i, roomFor(bodies, i, m_body[i].reach)) && covered;
     }

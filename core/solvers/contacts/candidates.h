@@ -66,6 +66,7 @@ class Candidates {
         const double extents = a.extent + b.extent;
         return (b.centre - a.centre).squaredNorm() <= extents * extents;
     }
+    void notePlace(const Bodies& bodies, const State& state, BodyIndex body);
     void setReach(BodyIndex body, double reach);
     bool noteReach(const Bodies& bodies, const State& state, std::span<const BodyIndex> members,
                    Neighbours& neighbours);
@@ -78,6 +79,7 @@ class Candidates {
 
     // By body.
     std::vector<Body> m_body; // of those that are not left
+    std::vector<Aabb> m_box;  // of those that are neither left nor balls
     std::vector<Kind> m_kind;
 
     std::vector<BodyIndex> m_immobile; // and bounded
