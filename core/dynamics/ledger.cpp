@@ -39,15 +39,17 @@ void recordBallisticAdvance(const Bodies& bodies, std::span<const BodyIndex> lis
     LedgerEntry& gravity = ledger[LedgerAccount::Gravity];
     LedgerEntry& wall = ledger[LedgerAccount::Contact];
     const double h = advance.duration;
+    double mass = 0;
+    Vec3 momentum = Vec3::Zero();
     for (const BodyIndex i : list) {
-        const Vec3 mean = state.velocity[i] + (0.5 * h) * advance.acceleration;
-        const Vec3 weight = (bodies.mass[i] * h) * advance.gravity;
-        const Vec3 borne = (bodies.mass[i] * h) * (advance.acceleration - advance.gravity);
-        gravity.momentum += weight;
-        gravity.energy += weight.dot(mean);
-        wall.momentum += borne;
-        wall.energy += borne.dot(mean);
+        mass += bodies.mass[i];
+        momentum += bodies.mass[i] * state.velocity[i];
     }
+    const Vec3 way = h * momentum + (0.5 * h * h * mass) * advance.acceleration; // of the masses together
+    gravity.momentum += (mass * h) * advance.gravity;
+    gravity.energy += advance.gravity.dot(way);
+    wall.momentum += (mass * h) * (advance.acceleration - advance.gravity);
+    wall.energy += (advance.acceleration - advance.gravity).dot(way);
 }
 
 Vec3 weightOf(const Bodies& bodies, std::span<const BodyIndex> list, const Vec3& change) {

@@ -2,12 +2,21 @@
 #include "core/solvers/coasting.h"
 
 #include "core/dynamics/energy.h"
+#include "core/dynamics/free_rotation.h"
 
 namespace carom {
 namespace {
 
+/// Of bodies whose energy of rotation a free rotation may change by rounding [J]: not of balls.
+double unevenSpinEnergy(const SolverInput& input, std::span<const BodyIndex> bodies) {
+    double sum = 0;
+    for (const BodyIndex i : bodies)
+        if (!isIsotropic(input.bodies.inertia[i])) sum += spinEnergy(input.bodies, i, input.state);
+    return sum;
+}
+
 void moveBallistic(const SolverInput& input, std::span<const BodyIndex> bodies) {
-    const double spinBefore = input.ledger != nullptr ? spinEnergy(input.bodies, bodies, input.state) : 0;
+    const double spinBefore = input.ledger != nullptr ? unevenSpinEnergy(input, bodies) : 0;
     if (input.ledger != nullptr)
         recordBallisticAdvance(input.bodies, bodies, {input.gravity, input.gravity, input.substep},
                                input.state, *input.ledger);
@@ -15,8 +24,7 @@ void moveBallistic(const SolverInput& input, std::span<const BodyIndex> bodies) 
     input.motion.rotateFreely(input.bodies, bodies, input.substep, input.state);
     // Bodies with unequal moments keep their energy as well as the integrator can.
     if (input.ledger != nullptr)
-        (*input.ledger)[LedgerAccount::Rotation].energy +=
-            spinEnergy(input.bodies, bodies, input.state) - spinBefore;
+        (*input.ledger)[LedgerAccount::Rotation].energy += unevenSpinEnergy(input, bodies) - spinBefore;
 }
 
 /// Power [W] and force [N] of one term on the bodies of a network.

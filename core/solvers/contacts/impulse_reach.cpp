@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace carom {
 namespace {
@@ -47,18 +48,21 @@ void ImpulseReach::reach(BodyIndex body, double time, double speed) {
 
 // Lists the pairs of each body, by counting sort.
 void ImpulseReach::listAround(const Input& input) {
-    std::fill(m_first.begin(), m_first.end(), 0);
+    for (const BodyIndex i : input.members) m_end[i] = 0;
     const auto forEachEnd = [&](const auto& visit) {
         for (std::uint32_t p = 0; p < input.pairs.size(); ++p)
             for (const BodyIndex end : {input.pairs[p].a, input.pairs[p].b})
                 if (input.here.bodies.mobile[end] != 0) visit(end, p);
     };
-    forEachEnd([&](BodyIndex end, std::uint32_t) { ++m_first[end + 1]; });
-    for (std::size_t i = 1; i < m_first.size(); ++i) m_first[i] += m_first[i - 1];
-    m_next.assign(m_first.begin(), m_first.end() - 1);
-    reserveFor(m_first.back(), m_around);
-    m_around.resize(m_first.back());
-    forEachEnd([&](BodyIndex end, std::uint32_t p) { m_around[m_next[end]++] = p; });
+    forEachEnd([&](BodyIndex end, std::uint32_t) { ++m_end[end]; });
+    std::uint32_t ends = 0;
+    for (const BodyIndex i : input.members) {
+        m_first[i] = ends;
+        ends += std::exchange(m_end[i], ends);
+    }
+    reserveFor(ends, m_around);
+    m_around.resize(ends);
+    forEachEnd([&](BodyIndex end, std::uint32_t p) { m_around[m_end[end]++] = p; });
 }
 
 void ImpulseReach::spread(const Input& input, BodyIndex body, std::uint32_t p) {
@@ -100,9 +104,9 @@ void ImpulseReach::find(const Input& input) {
             reach(i, 0, Neighbours::reachFactor * freeSpeed(input, i));
     for (std::uint32_t p = 0; p < input.pairs.size(); ++p)
         if (input.canMeet[p] != 0) meet(input, p);
-    listAround(input);
+    if (!m_queue.empty()) listAround(input);
     for (std::size_t k = 0; k < m_queue.size(); ++k)
-        for (std::uint32_t at = m_first[m_queue[k]]; at < m_first[m_queue[k] + 1]; ++at)
+        for (std::uint32_t at = m_first[m_queue[k]]; at < m_end[m_queue[k]]; ++at)
             spread(input, m_queue[k], m_around[at]);
     m_isReached.resize(input.pairs.size());
     const auto isReached = [&](BodyIndex i) { return input.here.bodies.mobile[i] == 0 || m_time[i] < never; };

@@ -30,7 +30,8 @@ namespace carom {
 
 class ImpulseReach {
   public:
-    explicit ImpulseReach(std::size_t bodies) : m_time(bodies), m_speed(bodies), m_first(bodies + 1) {}
+    explicit ImpulseReach(std::size_t bodies)
+        : m_time(bodies), m_speed(bodies), m_first(bodies), m_end(bodies) {}
 
     struct Input {
         const ManifoldInput& here;
@@ -53,10 +54,11 @@ class ImpulseReach {
     void spread(const Input& input, BodyIndex body, std::uint32_t pair);
 
     // By body.
-    std::vector<double> m_time;         // when it is reached [s]; infinite: never
-    std::vector<double> m_speed;        // and how fast it may be then [m/s]
-    std::vector<std::uint32_t> m_first; // into m_around, one more at the end
-    std::vector<std::uint32_t> m_next, m_around;
+    std::vector<double> m_time;                // when it is reached [s]; infinite: never
+    std::vector<double> m_speed;               // and how fast it may be then [m/s]
+    std::vector<std::uint32_t> m_first, m_end; // of members: where their pairs are in m_around
+
+    std::vector<std::uint32_t> m_around;
     std::vector<BodyIndex> m_queue;
     std::vector<std::uint8_t> m_isReached; // by pair
 };
