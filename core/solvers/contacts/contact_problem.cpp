@@ -57,17 +57,17 @@ void prepareRow(const ContactProblem& problem, ContactRow& row) {
         row.jacobianA = -pointJacobian(row.frame, row.armA);
         if (row.ballA) row.jacobianA.block<1, 3>(0, 3).setZero();
         along += inverseMassAlong(body, row.jacobianA);
-        across += inverseInertiaAcross(body, row.frame);
+        if (row.rolling > 0) across += inverseInertiaAcross(body, row.frame);
     }
     if (row.b != immobile) {
         const ContactBody& body = problem.bodies[static_cast<std::size_t>(row.b)];
         row.jacobianB = pointJacobian(row.frame, row.armB);
         if (row.ballB) row.jacobianB.block<1, 3>(0, 3).setZero();
         along += inverseMassAlong(body, row.jacobianB);
-        across += inverseInertiaAcross(body, row.frame);
+        if (row.rolling > 0) across += inverseInertiaAcross(body, row.frame);
     }
     row.effectiveMass = 1 / along;
-    row.effectiveInertia = 1 / across;
+    row.effectiveInertia = row.rolling > 0 ? 1 / across : 0;
 }
 
 void prepareRow(const ContactProblem& problem, const Mat3& frame, const Vec3& armA, const Vec3& armB,

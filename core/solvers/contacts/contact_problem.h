@@ -65,7 +65,7 @@ struct ContactRow {
     Vec2 rollingImpulse = Vec2::Zero(); ///< pᵣ [N m s] about t1, t2
 
     double effectiveMass = 0;    ///< 1/Wₙₙ, W = J M⁻¹ Jᵀ [kg]
-    double effectiveInertia = 0; ///< the same for rolling [kg m²]
+    double effectiveInertia = 0; ///< the same for rolling [kg m²]; 0 where nothing resists that
 };
 
 /// A spring, made linear over the step: p = −(offset + rate ∘ u), rate ≥ 0.

@@ -89,12 +89,4 @@ template void Islands::find(const Bodies&, std::span<const BodyIndex>, const std
 template void Islands::find(const Bodies&, std::span<const BodyIndex>, const std::vector<BodyPair>&,
                             std::span<const BodyPair>, std::span<const std::uint8_t>);
 
-Island Islands::operator[](std::size_t island) const {
-    const Start& from = m_first[island];
-    const Start& to = m_first[island + 1];
-    return {std::span(m_bodies).subspan(from.body, to.body - from.body),
-            std::span(m_pairs).subspan(from.pair, to.pair - from.pair),
-            std::span(m_links).subspan(from.link, to.link - from.link)};
-}
-
 } // namespace carom

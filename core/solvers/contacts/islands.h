@@ -29,7 +29,12 @@ class Islands {
               std::span<const BodyPair> links, std::span<const std::uint8_t> isUsed = {});
 
     std::size_t count() const { return m_first.empty() ? 0 : m_first.size() - 1; }
-    Island operator[](std::size_t island) const;
+    Island operator[](std::size_t island) const {
+        const Start &from = m_first[island], &to = m_first[island + 1];
+        return {std::span(m_bodies).subspan(from.body, to.body - from.body),
+                std::span(m_pairs).subspan(from.pair, to.pair - from.pair),
+                std::span(m_links).subspan(from.link, to.link - from.link)};
+    }
 
   private:
     struct Start {
