@@ -78,12 +78,16 @@ Loss findLoss(const Bodies& bodies, const State& state) {
     return {};
 }
 
-Loss findLoss(std::span<const BodyIndex> list, const State& state) {
+Loss findLoss(const Bodies& bodies, std::span<const BodyIndex> list, const State& state) {
     Vec3 sum = Vec3::Zero();
     double last = 0;
+    auto rotating = bodies.rotating.begin();
     for (const BodyIndex i : list) {
+        sum += state.pose[i].position + state.velocity[i];
+        while (rotating != bodies.rotating.end() && *rotating < i) ++rotating;
+        if (rotating == bodies.rotating.end() || *rotating != i) continue;
         const Quat& q = state.pose[i].orientation;
-        sum += state.pose[i].position + state.velocity[i] + q.vec() + state.angularVelocity[i];
+        sum += q.vec() + state.angularVelocity[i];
         last += q.w();
     }
     if (std::isfinite(sum.sum() + last)) return {};

@@ -51,7 +51,7 @@ struct Loss {
 /// The first mobile body with a quantity that is infinite or not a number; of what integration and impacts
 /// can change: position and velocity, and of rotating bodies orientation and angular velocity.
 Loss findLoss(const Bodies& bodies, const State& state);
-/// The same of some of the mobile bodies.
-Loss findLoss(std::span<const BodyIndex> list, const State& state);
+/// The same of some of the mobile bodies, ascending.
+Loss findLoss(const Bodies& bodies, std::span<const BodyIndex> list, const State& state);
 
 } // namespace carom

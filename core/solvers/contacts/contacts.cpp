@@ -229,7 +229,7 @@ SolverReport Contacts::move(const SolverInput& input) {
     m_coasting.move(input, m_refinement.lone());
     const bool isLast = input.part + 1 == input.parts;
     if (isLast) m_flight.end(input);
-    report.loss = isLast ? findLoss(input.bodies, input.state) : findLoss(m_members, input.state);
+    report.loss = findLoss(input.bodies, isLast ? input.bodies.mobileBodies : m_members, input.state);
     report.integrate = m_watch.lap();
     return report;
 }

@@ -84,6 +84,7 @@ ContactProblem randomProblem(Random& random, double friction, double rolling) {
         addContact(problem, a, b, frameAlong(normal), 0.7 * normal, -0.7 * normal + uniformIn(random, 0.3),
                    friction);
         problem.rows.back().rolling = rolling;
+        prepareRow(problem, problem.rows.back());
     }
     return problem;
 }
