@@ -20,7 +20,7 @@ constexpr double roominess = 1.2;
 constexpr double tooWide = 2;
 /// Frames for which a body's course goes on. At half, bodies that nothing strikes are found anew twice as
 /// often; at twice, lists hold more that a body will meet much later, or never.
-constexpr int framesOfCourse = 6;
+constexpr int framesOfCourse = 4;
 /// At most one body in so many is found anew by itself, at about twice the cost of its part in a search for
 /// all. At half, such searches cost more than one for all; at twice, all are searched for the sake of a few.
 constexpr std::size_t fewOutrun = 8;

@@ -131,24 +131,6 @@ void SteppedMotion::addIsland(const SteppedInput& input, std::span<const BodyInd
     if (list.size() >= 2 * Slabs::fewBodies) reorder(island); // it is to be divided
 }
 
-void SteppedMotion::joinIslands(std::uint32_t one, std::uint32_t other) {
-    if (one == other) return;
-    Group &into = m_groups[one], &from = m_groups[other];
-    from.joined = one;
-    into.bodies += from.bodies;
-    into.leaves = into.leaves || from.leaves;
-    into.hasStill = into.hasStill || from.hasStill;
-    into.isUnordered = into.isUnordered || from.isUnordered;
-    ++m_joined;
-    m_isSettled = false;
-}
-
-void SteppedMotion::settle() {
-    if (std::exchange(m_isSettled, true)) return;
-    m_plan.forget();
-    for (std::size_t i = 1; i < m_island.size(); ++i) m_island[i] = rootOf(m_island[i]);
-}
-
 void SteppedMotion::addPair(const SteppedInput& input, const Entry& entry, Manifolds& manifolds) {
     const auto [a, b] = entry.pair;
     const std::uint32_t index = static_cast<std::uint32_t>(m_entries.size());
@@ -198,15 +180,6 @@ void SteppedMotion::addBall(const SteppedInput& input, std::uint32_t entry, cons
     if (from.place != Manifolds::none && manifolds[from.place].count > 0)
         pair.impulse = (isFlipped ? -m_step : m_step) * manifolds[from.place].points[0].force;
     m_balls.add(pair, entry, immobile, m_bodies);
-}
-
-// Loads may depend on this pair, which is new.
-void SteppedMotion::noteChanged(BodyPair pair) {
-    const std::uint32_t a = m_local[pair.a], b = m_local[pair.b];
-    if (!m_still.rests(a) && !m_still.rests(b)) return;
-    m_still.note(a);
-    m_still.note(b);
-    m_areStillNoted = false;
 }
 
 SteppedReport SteppedMotion::advance(const SteppedInput& input, Manifolds& manifolds, double part) {

@@ -125,4 +125,22 @@ bool SteppedMotion::isNear(const SteppedInput& input, BodyPair pair) {
     return distance - (a + b) <= nearPart * std::min(a, b);
 }
 
+void SteppedMotion::joinIslands(std::uint32_t one, std::uint32_t other) {
+    if (one == other) return;
+    Group &into = m_groups[one], &from = m_groups[other];
+    from.joined = one;
+    into.bodies += from.bodies;
+    into.leaves = into.leaves || from.leaves;
+    into.hasStill = into.hasStill || from.hasStill;
+    into.isUnordered = into.isUnordered || from.isUnordered;
+    ++m_joined;
+    m_isSettled = false;
+}
+
+void SteppedMotion::settle() {
+    if (std::exchange(m_isSettled, true)) return;
+    m_plan.forget();
+    for (std::size_t i = 1; i < m_island.size(); ++i) m_island[i] = rootOf(m_island[i]);
+}
+
 } // namespace carom

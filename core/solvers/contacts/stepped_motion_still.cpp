@@ -292,4 +292,13 @@ void SteppedMotion::passOnStrikes(const SteppedInput& input, const Manifolds& ma
     }
 }
 
+// Loads may depend on this pair, which is new.
+void SteppedMotion::noteChanged(BodyPair pair) {
+    const std::uint32_t a = m_local[pair.a], b = m_local[pair.b];
+    if (!m_still.rests(a) && !m_still.rests(b)) return;
+    m_still.note(a);
+    m_still.note(b);
+    m_areStillNoted = false;
+}
+
 } // namespace carom

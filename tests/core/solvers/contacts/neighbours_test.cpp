@@ -250,7 +250,7 @@ class NeighboursTest : public QObject {
         if (!neighbours.coversFlight(bodies, state, 20, flight))
             neighbours.search(bodies, state, *broadphase);
         QVERIFY(neighbours.coversFlight(bodies, state, 20, flight));
-        QVERIFY(neighbours.listed(20).size() <= 4); // (1 + 6)² falls: .4 m
+        QVERIFY(neighbours.listed(20).size() <= 2); // (1 + 4)² falls: .2 m
     }
 
     // After a jump to another time even those that are not followed are somewhere else.
