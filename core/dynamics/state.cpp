@@ -18,21 +18,6 @@ constexpr std::size_t turningBytes = sizeof(Pose::orientation) + bytesOf<decltyp
 static_assert(movingBytes <= 64);
 static_assert(movingBytes + turningBytes <= 3 * 64);
 
-// Finite only if every number is, because no sum with inf or NaN is; and not finite either where numbers are
-// so large that their sum overflows. An addition a number, where a test of each would be a branch. Only what
-// can change is looked at.
-double sumOfAll(const Bodies& bodies, const State& state) {
-    Vec3 moving = Vec3::Zero(), turning = Vec3::Zero();
-    double last = 0;
-    for (const BodyIndex i : bodies.mobileBodies) moving += state.pose[i].position + state.velocity[i];
-    for (const BodyIndex i : bodies.rotating) {
-        const Quat& q = state.pose[i].orientation;
-        turning += q.vec() + state.angularVelocity[i];
-        last += q.w();
-    }
-    return moving.sum() + turning.sum() + last;
-}
-
 bool finite(const State& state, BodyIndex body) {
     return state.pose[body].position.allFinite() && state.pose[body].orientation.coeffs().allFinite() &&
            state.velocity[body].allFinite() && state.angularVelocity[body].allFinite();
@@ -71,26 +56,23 @@ State initialStateOf(const Scene& scene) {
     return state;
 }
 
-Loss findLoss(const Bodies& bodies, const State& state) {
-    if (std::isfinite(sumOfAll(bodies, state))) return {};
-    for (const BodyIndex i : bodies.mobileBodies)
-        if (!finite(state, i)) return {i, lostQuantity(state, i)};
-    return {};
-}
-
+// The sum is finite only if every number is, because none with inf or NaN is; and not finite either where
+// numbers are so large that it overflows. An addition a number, where a test of each would be a branch. Only
+// what can change is looked at.
 Loss findLoss(const Bodies& bodies, std::span<const BodyIndex> list, const State& state) {
-    Vec3 sum = Vec3::Zero();
+    Vec3 moving = Vec3::Zero(), turning = Vec3::Zero();
     double last = 0;
-    auto rotating = bodies.rotating.begin();
-    for (const BodyIndex i : list) {
-        sum += state.pose[i].position + state.velocity[i];
-        while (rotating != bodies.rotating.end() && *rotating < i) ++rotating;
-        if (rotating == bodies.rotating.end() || *rotating != i) continue;
+    for (const BodyIndex i : list) moving += state.pose[i].position + state.velocity[i];
+    auto at = list.begin();
+    for (const BodyIndex i : bodies.rotating) {
+        while (at != list.end() && *at < i) ++at;
+        if (at == list.end()) break;
+        if (*at != i) continue;
         const Quat& q = state.pose[i].orientation;
-        sum += q.vec() + state.angularVelocity[i];
+        turning += q.vec() + state.angularVelocity[i];
         last += q.w();
     }
-    if (std::isfinite(sum.sum() + last)) return {};
+    if (std::isfinite(moving.sum() + turning.sum() + last)) return {};
     for (const BodyIndex i : list)
         if (!finite(state, i)) return {i, lostQuantity(state, i)};
     return {};

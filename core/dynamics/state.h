@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -48,10 +49,13 @@ struct Loss {
     explicit operator bool() const { return body != noBody; }
 };
 
-/// The first mobile body with a quantity that is infinite or not a number; of what integration and impacts
-/// can change: position and velocity, and of rotating bodies orientation and angular velocity.
-Loss findLoss(const Bodies& bodies, const State& state);
-/// The same of some of the mobile bodies, ascending.
+/// The first of some mobile bodies, ascending, with a quantity that is infinite or not a number; of what
+/// integration and impacts can change: position and velocity, and of rotating bodies orientation and angular
+/// velocity.
 Loss findLoss(const Bodies& bodies, std::span<const BodyIndex> list, const State& state);
+/// The same of all mobile bodies.
+inline Loss findLoss(const Bodies& bodies, const State& state) {
+    return findLoss(bodies, bodies.mobileBodies, state);
+}
 
 } // namespace carom

@@ -421,7 +421,7 @@ void Contacts::enterForFrames(const SolverInput& input) {
 void Contacts::leaveMarked(const SolverInput& input) {
     m_left.clear();
     m_base.leaveMarked(stepped(input), m_found.manifolds(), m_leaving, m_left);
-    if (!m_left.empty()) m_sort.sort(m_left, m_bodies.count());
+    m_sort.sort(m_left, m_bodies.count());
     m_found.carryWith(m_left);
 }
 
@@ -486,7 +486,7 @@ void Contacts::moveStepped(const SolverInput& input, SolverReport& report) {
     }
     m_left.clear();
     m_brief.leave(stepped(input), m_found.manifolds(), m_left);
-    if (!m_left.empty()) m_sort.sort(m_left, m_bodies.count());
+    m_sort.sort(m_left, m_bodies.count());
     m_found.carryOn(m_left);
     if (input.part + 1 == input.parts && m_settings.resting) sleepWhatRests(input);
 }
@@ -543,7 +543,7 @@ template<class Is>
 void Contacts::sleepMarked(const SolverInput& input, const Is& isCalm) {
     m_left.clear();
     m_base.leaveMarked(stepped(input), m_found.manifolds(), m_leaving, m_left);
-    if (!m_left.empty()) m_sort.sort(m_left, m_bodies.count());
+    m_sort.sort(m_left, m_bodies.count());
     std::sort(m_leaving.begin(), m_leaving.end());
     m_pairs.clear();
     for (const Manifolds::Entry& entry : m_left) m_pairs.push_back(entry.pair);

@@ -208,7 +208,7 @@ bool Neighbours::coversFlight(const Bodies& bodies, const State& state, BodyInde
                               const Flight& flight) {
     const auto [room, time, fall] = flight;
     const Course& course = m_course[body];
-    m_moved[body] = movedFrom(bodies, state, body);
+    noteMoved(bodies, state, body);
     m_drift[body] = turnIn(bodies, state, body, m_frame) + fall;
     const double leaves = time * (state.velocity[body] - course.velocityAt(m_now)).norm() + fall;
     // By gravity alone it is so far from its course in the end.

@@ -44,9 +44,6 @@ inline double boundingGap(const Bodies& bodies, const State& state, BodyPair pai
 /// Whether the boxes of a pair are within `margin` [m]; to be asked for pairs whose bounding balls are. A
 /// list that covers both bodies for `margin` has all pairs for which both is true, and may have others.
 bool areBoxesWithin(const Bodies& bodies, BodyPair pair, const Pose& a, const Pose& b, double margin);
-inline bool areBoxesWithin(const Bodies& bodies, const State& state, BodyPair pair, double margin) {
-    return areBoxesWithin(bodies, pair, state.pose[pair.a], state.pose[pair.b], margin);
-}
 /// Both.
 inline bool areWithin(const Bodies& bodies, BodyPair pair, const Pose& a, const Pose& b, double margin) {
     return boundingGap(bodies, pair, a, b) <= margin && areBoxesWithin(bodies, pair, a, b, margin);

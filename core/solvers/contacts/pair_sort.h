@@ -19,6 +19,7 @@ class PairSort {
   public:
     /// `bodies` are those of the scene.
     void sort(std::vector<Entry>& entries, std::size_t bodies) {
+        if (entries.empty()) return;
         m_first.assign(bodies + 1, 0);
         for (const Entry& entry : entries) ++m_first[entry.pair.a + 1];
         for (std::size_t i = 0; i < bodies; ++i) m_first[i + 1] += m_first[i];
@@ -35,6 +36,7 @@ class PairSort {
     }
     /// Those of which this is the first body, of the entries sorted last.
     std::span<const Entry> of(BodyIndex first, const std::vector<Entry>& entries) const {
+        if (entries.empty()) return {};
         const std::uint32_t begin = first > 0 ? m_first[first - 1] : 0;
         return std::span(entries).subspan(begin, m_first[first] - begin);
     }

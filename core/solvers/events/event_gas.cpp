@@ -99,7 +99,10 @@ Loss EventGas::fastest() const {
 
 std::uint32_t EventGas::earliest(double limit) {
     return m_queue.earliest(
-        m_records, limit, [this](std::uint32_t i, std::uint32_t j) { return comesBefore(i, j); },
+        m_records, limit,
+        [this](std::uint32_t i, std::uint32_t j) {
+            return pairBefore(i, m_records[i].partner, j, m_records[j].partner);
+        },
         [this](std::uint32_t i, bool soon) {
             if (!soon) {
                 __builtin_prefetch(&m_records[i]);
@@ -321,19 +324,9 @@ void EventGas::considerWall(std::uint32_t i, std::size_t k) {
     }
 }
 
-// At equal times: crossings, then walls, then pairs, and pairs that do not touch each other by the places of
-// their origins (those that do: event_clusters.cpp). Numbers and cells do not count, so neither the order of
-// the text nor the size of the cells changes the motion.
-bool EventGas::comesBefore(std::uint32_t i, std::uint32_t j) const {
-    const EventRecord& a = m_records[i];
-    const EventRecord& b = m_records[j];
-    if (a.collidesNext() != b.collidesNext()) return b.collidesNext();
-    if (a.collidesNext()) return pairBefore(i, a.partner, j, b.partner);
-    const bool crosses = a.other == EventRecord::crossing;
-    if (crosses != (b.other == EventRecord::crossing)) return crosses;
-    return i < j;
-}
-
+// Of pairs at equal times that do not touch each other, by the places of their origins (those that do:
+// event_clusters.cpp). Numbers and cells do not count, so neither the order of the text nor the size of the
+// cells changes the motion.
 bool EventGas::pairBefore(std::uint32_t i, std::uint32_t a, std::uint32_t j, std::uint32_t b) const {
     using Places = std::array<std::array<double, 3>, 2>;
     const auto placesOf = [this](std::uint32_t p, std::uint32_t q) {

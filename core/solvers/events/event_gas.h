@@ -157,7 +157,6 @@ class EventGas {
         return carom::gapTo(m_origins[i], m_placeRests[i], wall.normal, wall.offset);
     }
     double gapOnTheWay(std::uint32_t i, std::uint16_t wall) const;
-    bool comesBefore(std::uint32_t i, std::uint32_t j) const;
     bool pairBefore(std::uint32_t i, std::uint32_t a, std::uint32_t j, std::uint32_t b) const;
     void keepDaysFitting();
 
