@@ -120,7 +120,7 @@ class DocumentTest : public QObject {
 
     void aFileWrittenInPiecesIsToldOfWhenItIsWhole() {
         OpenDocument opened("one");
-        Document& document = opened.document; // clang++ 14 takes no name of a structured binding into a lambda
+        Document& document = opened.document; // clang++ 14 captures no name of a structured binding
         QByteArray found, whole;
         connect(&document, &Document::changedOutside, &document, [&] { found = document.seeTextOnDisk(); });
         QSignalSpy told(&document, &Document::changedOutside);
