@@ -133,6 +133,11 @@ bool BasePath::renew(const SteppedInput& input, double time, double skin, Neighb
         markIslands([](BodyIndex) { return true; });
         return false;
     }
+    return renewUnchanged(input, time, skin, neighbours, broadphase, manifolds);
+}
+
+bool BasePath::renewUnchanged(const SteppedInput& input, double time, double skin, Neighbours& neighbours,
+                              Broadphase& broadphase, Manifolds& manifolds) {
     std::size_t all = 0;
     for (const SteppedMotion& block : m_blocks) all += block.bodies().size();
     for (const Renewed& renewed : m_renewed) m_renewal[renewed.body] = 0;
@@ -179,21 +184,23 @@ void BasePath::orderWhereMany() {
     std::erase_if(m_renewed, leaves);
 }
 
-// Finds the bodies that may move beyond their reach, and gives them a new one.
+// Finds the bodies that may move beyond their reach, and gives them a new one: not those that have settled.
 void BasePath::findOutrun(const SteppedInput& input, double time, double skin, const Neighbours& neighbours) {
     m_room.resize(input.bodies.count());
     for (const SteppedMotion& block : m_blocks) {
-        const std::span<const BodyIndex> bodies = block.bodies();
-        m_isOutrun.resize(bodies.size());
-        input.workers.forRanges(bodies.size(), fewBodies, [&](std::size_t begin, std::size_t end) {
+        m_stirring.clear();
+        for (const BodyIndex i : block.bodies())
+            if (!neighbours.settled().has(i)) m_stirring.push_back(i);
+        m_isOutrun.resize(m_stirring.size());
+        input.workers.forRanges(m_stirring.size(), fewBodies, [&](std::size_t begin, std::size_t end) {
             for (std::size_t n = begin; n < end; ++n) {
-                const BodyIndex i = bodies[n];
+                const BodyIndex i = m_stirring[n];
                 m_room[i] = roomOf(input, i);
                 m_isOutrun[n] = neighbours.reach(i) > m_room[i] ? 1 : 0;
             }
         });
-        for (std::size_t n = 0; n < bodies.size(); ++n) {
-            const BodyIndex i = bodies[n];
+        for (std::size_t n = 0; n < m_stirring.size(); ++n) {
+            const BodyIndex i = m_stirring[n];
             if (block.isMarked(i)) continue;
             const bool isOutrun = m_isOutrun[n] != 0;
             if (!isOutrun && !input.isFirst) continue;
@@ -254,10 +261,11 @@ bool BasePath::coversRenewed(Neighbours& neighbours) const {
 
 // Adds the missing pairs of bodies with a new reach and removes those that can no longer meet. Marks islands
 // of different blocks that such a pair would join.
-void BasePath::loadPairs(const SteppedInput& input, const Neighbours& neighbours, Manifolds& manifolds) {
+void BasePath::loadPairs(const SteppedInput& input, Neighbours& neighbours, Manifolds& manifolds) {
     for (const auto& [body, reach, isNarrowed] : m_renewed) {
         m_reach[body] = reach;
         m_origin[body] = input.state.pose[body];
+        neighbours.settled().rouse(body);
     }
     m_present.clear();
     for (SteppedMotion& block : m_blocks) {

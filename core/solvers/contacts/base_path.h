@@ -66,6 +66,19 @@ class BasePath {
     /// those must leave. All do when a frame begins in which a body is elsewhere than the last one left it.
     bool renew(const SteppedInput& input, double time, double skin, Neighbours& neighbours,
                Broadphase& broadphase, Manifolds& manifolds);
+    /// Whether the bodies are where, and as fast as, the last substep left them.
+    bool isUnchanged(const State& state) const;
+    /// The same where that has been asked for when the frame began.
+    bool renewUnchanged(const SteppedInput& input, double time, double skin, Neighbours& neighbours,
+                        Broadphase& broadphase, Manifolds& manifolds);
+    /// Whether a body stands still on the base path.
+    bool isStill(BodyIndex body) const { return has(body) && blockWith(body).isStill(body); }
+    /// Calls visit(body) for those that stood still, and moved on in the last substep.
+    template<class Visit>
+    void forEachMovedOn(const Visit& visit) const {
+        for (const SteppedMotion& block : m_blocks)
+            if (!block.isEmpty()) std::ranges::for_each(block.movedOn(), visit);
+    }
 
     /// Computes the reach of bodies that are to enter, ascending: how far they may move within `time` [s],
     /// and `skin` times their size more. False if the neighbours must be searched and this be called again.
@@ -197,7 +210,6 @@ class BasePath {
         return m_reach[body] -
                Neighbours::displacement(input.bodies, body, m_origin[body], input.state.pose[body]);
     }
-    bool isUnchanged(const State& state) const;
     void findOutrun(const SteppedInput& input, double time, double skin, const Neighbours& neighbours);
     double ownReach(const SteppedInput& input, BodyIndex body, double time, double skin,
                     const Neighbours& neighbours) const;
@@ -208,7 +220,7 @@ class BasePath {
     void orderWhereMany();
     void findMissing(const SteppedInput& input, BodyIndex i, const Neighbours& neighbours,
                      Missing& missing) const;
-    void loadPairs(const SteppedInput& input, const Neighbours& neighbours, Manifolds& manifolds);
+    void loadPairs(const SteppedInput& input, Neighbours& neighbours, Manifolds& manifolds);
     SteppedMotion& block(std::size_t number) { return m_blocks[number]; }
     SteppedMotion& blockWith(BodyIndex body) { return block(m_block[body] - 1u); }
     const SteppedMotion& blockWith(BodyIndex body) const { return m_blocks[m_block[body] - 1u]; }
@@ -242,7 +254,8 @@ class BasePath {
     Scratch<Islands> m_islands;
     Scratch<std::vector<std::uint8_t>> m_numbers;                      // by island that enters: its block
     Scratch<std::array<std::vector<std::size_t>, divisions>> m_outrun; // by block and island: bodies
-    Scratch<std::vector<std::uint8_t>> m_isOutrun;                     // by body of a block
+    Scratch<std::vector<BodyIndex>> m_stirring;                        // of a block
+    Scratch<std::vector<std::uint8_t>> m_isOutrun;                     // by these
     Scratch<std::vector<double>> m_kick;                               // by body, of those that enter [m]
     Scratch<std::vector<double>> m_room; // by body: what is left of its reach in this substep [m]
     std::vector<Renewed> m_renewed;

@@ -60,15 +60,27 @@ void Candidates::notePlace(const Bodies& bodies, const State& state, BodyIndex b
 void Candidates::look(const Bodies& bodies, const State& state, std::span<const BodyIndex> members,
                       std::span<const std::uint8_t> placed, Neighbours& neighbours, Broadphase& broadphase,
                       Workers& workers) {
+    note(bodies, state, members, placed);
+    lookAt(bodies, state, members, placed, neighbours, broadphase, workers);
+}
+
+void Candidates::note(const Bodies& bodies, const State& state, std::span<const BodyIndex> members,
+                      std::span<const std::uint8_t> placed) {
     for (const BodyIndex i : bodies.mobileBodies) m_kind[i] = Kind::Left;
     for (const BodyIndex i : m_immobile) notePlace(bodies, state, i);
+    for (const BodyIndex i : members) m_kind[i] = kindOf(placed[i]);
+}
+
+void Candidates::lookAt(const Bodies& bodies, const State& state, std::span<const BodyIndex> stirring,
+                        std::span<const std::uint8_t> placed, Neighbours& neighbours, Broadphase& broadphase,
+                        Workers& workers) {
     m_free.clear();
-    for (const BodyIndex i : members) {
-        m_kind[i] = placed[i] != 0 ? Kind::Placed : Kind::Member;
+    for (const BodyIndex i : stirring) {
+        m_kind[i] = kindOf(placed[i]);
         if (placed[i] == 0) m_free.push_back(i);
     }
-    m_changed.assign(members.begin(), members.end());
-    if (!noteReach(bodies, state, members, neighbours)) neighbours.search(bodies, state, broadphase);
+    m_changed.clear();
+    if (!noteReach(bodies, state, stirring, neighbours)) neighbours.search(bodies, state, broadphase);
     if (!shareReach(bodies, state, m_free, neighbours, workers)) neighbours.search(bodies, state, broadphase);
 }
 

@@ -27,10 +27,20 @@ class Candidates {
     void look(const Bodies& bodies, const State& state, std::span<const BodyIndex> members,
               std::span<const std::uint8_t> placed, Neighbours& neighbours, Broadphase& broadphase,
               Workers& workers = Workers::alone());
+    /// The same in two parts. First takes note of who is a member; of each member, lookAt() must then be
+    /// called once.
+    void note(const Bodies& bodies, const State& state, std::span<const BodyIndex> members,
+              std::span<const std::uint8_t> placed);
+    /// Looks at those members that stir, ascending: nothing of the others has changed, and all of them are
+    /// placed.
+    void lookAt(const Bodies& bodies, const State& state, std::span<const BodyIndex> stirring,
+                std::span<const std::uint8_t> placed, Neighbours& neighbours, Broadphase& broadphase,
+                Workers& workers = Workers::alone());
     /// The same where these bodies, ascending, which are not placed, have become members since.
     void join(const Bodies& bodies, const State& state, std::span<const BodyIndex> joined,
               Neighbours& neighbours, Broadphase& broadphase, Workers& workers = Workers::alone());
-    /// Members whose reach the last of these has set; some may be named twice.
+    /// Members whose reach the last of these has set, after lookAt() only those that share that of others;
+    /// some may be named twice.
     std::span<const BodyIndex> changed() const { return m_changed; }
     /// Members that are not placed, ascending.
     std::span<const BodyIndex> free() const { return m_free; }
@@ -62,6 +72,7 @@ class Candidates {
     };
     /// From members to other members of larger index, and to what is immobile or placed.
     using Found = UpAndDown<BodyPair>;
+    static Kind kindOf(std::uint8_t placed) { return placed != 0 ? Kind::Placed : Kind::Member; }
     static bool mayBeWithin(const Body& a, const Body& b) {
         const double extents = a.extent + b.extent;
         return (b.centre - a.centre).squaredNorm() <= extents * extents;

@@ -18,9 +18,6 @@ constexpr double roominess = 1.2;
 /// A skin this many times as wide as what is asked for is made anew. At 1.5, lists are a twentieth shorter;
 /// at twice, a quarter longer.
 constexpr double tooWide = 2;
-/// Frames for which a body's course goes on. At half, bodies that nothing strikes are found anew twice as
-/// often; at twice, lists hold more that a body will meet much later, or never.
-constexpr int framesOfCourse = 4;
 /// At most one body in so many is found anew by itself, at about twice the cost of its part in a search for
 /// all. At half, such searches cost more than one for all; at twice, all are searched for the sake of a few.
 constexpr std::size_t fewOutrun = 8;
@@ -64,7 +61,7 @@ Neighbours::Neighbours(const Bodies& bodies)
       m_pull(bodies.count(), 0.0), m_drift(bodies.count(), 0.0), m_moved(bodies.count(), 0.0),
       m_room(bodies.count(), 0.0), m_skin(bodies.count(), -1.0), m_extent(bodies.count(), 0.0),
       m_asked(bodies.count(), 0.0), m_askedLately(bodies.count(), 0.0),
-      m_orientation(bodies.count(), Quat::Identity()), m_course(bodies.count()),
+      m_orientation(bodies.count(), Quat::Identity()), m_course(bodies.count()), m_settled(bodies.count()),
       m_isOutrun(bodies.count(), 0), m_around(bodies.count()) {
     for (const BodyIndex i : bodies.bounded) {
         m_number[i] = static_cast<std::uint32_t>(m_mobile.size());
@@ -79,11 +76,11 @@ Neighbours::Neighbours(const Bodies& bodies)
     m_outrun.reserve(2 * bodies.count());
 }
 
-void Neighbours::update(const Bodies& bodies, const State& state, std::span<const BodyIndex> list,
-                        const Vec3& gravity, double duration, double frame, Broadphase& broadphase) {
-    m_frame = frame;
-    narrow(bodies, list);
-    if (follow(bodies, state, list, gravity, duration)) return;
+void Neighbours::update(const Bodies& bodies, const State& state, const Followed& list, const Vec3& gravity,
+                        const Times& times, Broadphase& broadphase) {
+    m_frame = times.frame;
+    narrow(bodies, list.all);
+    if (follow(bodies, state, list.stirring, gravity, times.duration)) return;
     // A neighbour may need a larger skin of a body than the body itself: a skin that was asked for will be
     // asked for again.
     const auto renew = [this](BodyIndex i) {
@@ -94,14 +91,14 @@ void Neighbours::update(const Bodies& bodies, const State& state, std::span<cons
         for (const BodyIndex i : m_outrun) renew(i);
         return searchForOutrun(bodies, state);
     }
-    for (const BodyIndex i : list) renew(i);
+    for (const BodyIndex i : list.all) renew(i);
     searchAll(bodies, state, broadphase);
 }
 
 // Lets the skins be made anew of bodies that have needed little of theirs for a while: what fell on a heap
 // asked for much, and rests.
 void Neighbours::narrow(const Bodies& bodies, std::span<const BodyIndex> list) {
-    if (m_now < m_narrowed + framesOfCourse * m_frame) return;
+    if (!asksAnew(m_frame)) return;
     m_narrowed = m_now;
     for (const BodyIndex i : list) {
         const double least = leastMargin * bodies.boundingRadius[i];
@@ -187,6 +184,7 @@ void Neighbours::stay(std::span<const BodyIndex> list) {
 
 void Neighbours::forget() {
     m_isForgotten = true;
+    m_settled.rouseAll();
     m_outrun.clear();
 }
 
@@ -252,6 +250,7 @@ void Neighbours::searchForOutrun(const Bodies& bodies, const State& state) {
     for (const BodyIndex i : m_outrun) {
         if (std::exchange(m_isOutrun[i], std::uint8_t{1}) != 0) continue;
         m_anew.push_back(i);
+        m_settled.rouse(i);
         renewSkin(bodies, state, i);
         m_blocks.set(m_number[i], m_boxes[m_number[i]]);
     }
@@ -316,6 +315,7 @@ void Neighbours::addFound(const Bodies& bodies, const Finds& finds) {
 void Neighbours::searchAll(const Bodies& bodies, const State& state, Broadphase& broadphase) {
     ++m_searches;
     m_isForgotten = false;
+    m_settled.rouseAll();
     m_outrun.clear();
     m_areBlocksBuilt = false;
     m_workers->forRanges(bodies.mobileBodies.size(), fewRenewed, [&](std::size_t begin, std::size_t end) {

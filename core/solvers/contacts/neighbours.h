@@ -9,6 +9,7 @@
 #include "core/solvers/contacts/course.h"
 #include "core/solvers/contacts/meetings.h"
 #include "core/solvers/contacts/near.h"
+#include "core/solvers/contacts/settled_bodies.h"
 
 #include <algorithm>
 #include <cmath>
@@ -87,7 +88,28 @@ class Neighbours {
     /// gravity. Searches if a body may leave its skin though nothing strikes it; the lists are made to last
     /// for some frames [s].
     void update(const Bodies& bodies, const State& state, std::span<const BodyIndex> list,
-                const Vec3& gravity, double duration, double frame, Broadphase& broadphase);
+                const Vec3& gravity, double duration, double frame, Broadphase& broadphase) {
+        update(bodies, state, {list, list}, gravity, {duration, frame}, broadphase);
+    }
+    /// Bodies to be followed, and those of them that have not settled.
+    struct Followed {
+        std::span<const BodyIndex> all, stirring;
+    };
+    struct Times {
+        double duration = 0, frame = 0; ///< [s]
+    };
+    /// The same where only those that stir are looked at: of the others, nothing has changed.
+    void update(const Bodies& bodies, const State& state, const Followed& list, const Vec3& gravity,
+                const Times& times, Broadphase& broadphase);
+    /// Whether the next update() asks anew of all bodies how much room they need: so all must stir.
+    bool asksAnew(double frame) const { return m_now >= m_narrowed + framesOfCourse * frame; }
+    /// Bodies of which nothing that is kept here changes: their courses have ended.
+    SettledBodies& settled() { return m_settled; }
+    const SettledBodies& settled() const { return m_settled; }
+    /// Whether a body that nothing moves may settle.
+    bool maySettle(BodyIndex body) const {
+        return m_course[body].velocityAt(m_now) == Vec3::Zero() && m_pull[body] == 0;
+    }
     /// The same for some of the bodies, while the others go on as they did when noted last. False if one of
     /// them may leave its skin: search() must be called.
     bool follow(const Bodies& bodies, const State& state, std::span<const BodyIndex> list,
@@ -200,6 +222,9 @@ class Neighbours {
     /// And always this far, relative to its size, so that forces are remembered through small hops. At half,
     /// bodies that hop a little lose their forces; at twice, there are more pairs to look at.
     static constexpr double leastMargin = 0.01;
+    /// Frames for which a body's course goes on. At half, bodies that nothing strikes are found anew twice as
+    /// often; at twice, lists hold more that a body will meet much later, or never.
+    static constexpr int framesOfCourse = 4;
 
   private:
     Meetings meetingsOfSkins() const { return {m_course.data(), m_extent.data(), m_now}; }
@@ -259,6 +284,7 @@ class Neighbours {
     double m_duration = 1;             // noted last [s]
     std::uint64_t m_searches = 0;
     bool m_isForgotten = false;
+    SettledBodies m_settled;
     std::vector<BodyIndex> m_outrun;      // since the last search; some may be named twice
     std::vector<BodyIndex> m_anew;        // of a search for single bodies: these
     std::vector<std::uint8_t> m_isOutrun; // by body: one of these

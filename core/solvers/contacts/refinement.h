@@ -95,6 +95,7 @@ class Refinement {
     /// In how many substeps an island that is stepped is to be tried again.
     std::uint8_t backOffOf(std::uint32_t island) const { return m_backOff[island]; }
     /// A body has been on the base path for a substep.
+    bool waits(BodyIndex body) const { return m_wait[body] > 0; }
     void waited(BodyIndex body) {
         if (m_wait[body] > 0) --m_wait[body];
     }

@@ -184,6 +184,7 @@ void SteppedMotion::addBall(const SteppedInput& input, std::uint32_t entry, cons
 
 SteppedReport SteppedMotion::advance(const SteppedInput& input, Manifolds& manifolds, double part) {
     settle();
+    m_movedOn.clear();
     if (std::exchange(m_isOrderedSoon, false) || input.isFirst) order(input);
     if (!m_areStillNoted) noteStill(input, manifolds);
     SteppedReport report;
@@ -204,24 +205,6 @@ SteppedReport SteppedMotion::advance(const SteppedInput& input, Manifolds& manif
     if (input.ledger != nullptr) recordMotion(input, part * m_substep);
     if (wakeUnbalanced(input, StillBodies::toMoveOn)) noteStill(input, manifolds);
     return report;
-}
-
-// What stands still keeps all that the ledger knows of it but its weight.
-void SteppedMotion::rememberBefore(const SteppedInput& input) {
-    const bool isKnown = m_isAfterKnown && m_moving.isKnown && !input.isFirst;
-    m_isAfterKnown = false;
-    findMoving();
-    m_atBegin = isKnown ? m_after : invariantsOf(input.bodies, m_moving.bodies, input.state, input.gravity);
-}
-
-// Impulses of a sweep are not told apart: all are recorded under Contact.
-void SteppedMotion::recordMotion(const SteppedInput& input, double duration) {
-    m_after = invariantsOf(input.bodies, m_moving.bodies, input.state, input.gravity);
-    m_isAfterKnown = true;
-    const Vec3 change = duration * input.gravity;
-    if (!m_weight.isKnown || m_weight.change != change)
-        static_cast<Weight&>(m_weight) = {weightOf(input.bodies, m_list, change), change, true};
-    recordDifference(m_atBegin, m_after, m_weight.sum, LedgerAccount::Contact, *input.ledger);
 }
 
 // Predicts how far each body moves until the end of the step, from its pose at the look, and whether it was

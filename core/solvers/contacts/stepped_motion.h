@@ -195,6 +195,9 @@ class SteppedMotion {
     }
     bool hasStill(std::uint32_t island) const { return m_groups[rootOf(island)].hasStill; }
     std::size_t stillBodies() const { return m_still.count(); }
+    bool isStill(BodyIndex body) const { return m_still.is(m_local[body]); }
+    /// Those that moved on in the last substep.
+    std::span<const BodyIndex> movedOn() const { return m_movedOn; }
     /// visit(entry) for every pair.
     template<class Visit>
     void forEachEntry(const Visit& visit) {
@@ -456,7 +459,7 @@ class SteppedMotion {
     Derived<Moving> m_moving;
     Scratch<std::vector<std::uint32_t>> m_candidates; // numbers
     Scratch<std::vector<std::uint8_t>> m_isPaired;    // by number: in a pair of which one moves
-    Scratch<std::vector<BodyIndex>> m_stopped, m_woken;
+    Scratch<std::vector<BodyIndex>> m_stopped, m_woken, m_movedOn;
     Scratch<std::vector<std::uint32_t>> m_part; // by number: the least number of its part; its own if still
     bool m_arePartsFound = false;               // since the last look
     Scratch<std::vector<double>> m_given; // by number: speed that a strike may give what stands still [m/s]

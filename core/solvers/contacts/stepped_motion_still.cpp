@@ -209,6 +209,7 @@ void SteppedMotion::moveOn(const SteppedInput& input, std::uint32_t number) {
     m_moving.isKnown = false;
     m_still.set(number, false);
     setMass(input, number);
+    m_movedOn.push_back(m_list[number - 1]);
 }
 
 // Lets bodies that stand still move on if a body strikes them before the next look, and others that these
@@ -299,6 +300,24 @@ void SteppedMotion::noteChanged(BodyPair pair) {
     m_still.note(a);
     m_still.note(b);
     m_areStillNoted = false;
+}
+
+// What stands still keeps all that the ledger knows of it but its weight.
+void SteppedMotion::rememberBefore(const SteppedInput& input) {
+    const bool isKnown = m_isAfterKnown && m_moving.isKnown && !input.isFirst;
+    m_isAfterKnown = false;
+    findMoving();
+    m_atBegin = isKnown ? m_after : invariantsOf(input.bodies, m_moving.bodies, input.state, input.gravity);
+}
+
+// Impulses of a sweep are not told apart: all are recorded under Contact.
+void SteppedMotion::recordMotion(const SteppedInput& input, double duration) {
+    m_after = invariantsOf(input.bodies, m_moving.bodies, input.state, input.gravity);
+    m_isAfterKnown = true;
+    const Vec3 change = duration * input.gravity;
+    if (!m_weight.isKnown || m_weight.change != change)
+        static_cast<Weight&>(m_weight) = {weightOf(input.bodies, m_list, change), change, true};
+    recordDifference(m_atBegin, m_after, m_weight.sum, LedgerAccount::Contact, *input.ledger);
 }
 
 } // namespace carom

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/contact_scenes.h"
+#include "tests/support/scenes.h"
+#include "tests/support/test_class.h"
+#include "tests/support/worlds.h"
+
+#include "core/solvers/contacts/settled_bodies.h"
+
+#include <QTest>
+
+#include <vector>
+
+// Bodies that are passed over in a substep because nothing of them changes: when they are, and that what
+// happens does not depend on it.
+
+namespace carom {
+namespace {
+
+using List = std::vector<BodyIndex>;
+
+/// Lists the members that stir, of which `still` stand still, and lets those settle that may.
+List settleIn(SettledBodies& bodies, const List& members, const List& still, bool may = true) {
+    List stirring;
+    bodies.list(members, stirring);
+    for (const BodyIndex i : still) bodies.begin(i);
+    bodies.settle(stirring, [may](BodyIndex) { return may; });
+    return stirring;
+}
+
+/// A wall of bricks on a rough floor, and balls that strike it one after another from different sides.
+Scene struckWall() {
+    constexpr double length = 0.2, height = 0.08; // of a brick [m]
+    Scene scene = test::sceneOf({test::floorOf(0.7, 0.1)}, test::downwards());
+    for (int row = 0; row < 6; ++row)
+        for (int k = 0; k < 7; ++k) {
+            const Vec3 place((k + 0.5 * (row % 2)) * length, (row + 0.5) * height, 0);
+            scene.bodies.push_back(test::rough(test::cuboid({length, height, 0.1}, 3, place), 0.7, 0.1));
+        }
+    const auto shoot = [&scene](const Vec3& centre, const Vec3& velocity) {
+        Body ball = test::sphere(0.1, 8, centre, velocity);
+        scene.bodies.push_back(test::rough(ball, 0.5, 0.1));
+    };
+    shoot({0.7, 0.4, 2}, {0, 0, -5});
+    shoot({0.2, 0.1, -4}, {0, 0, 3});
+    shoot({3.5, 0.1, 0}, {-2, 0, 0});
+    return scene;
+}
+
+} // namespace
+
+class SettledBodiesTest : public QObject {
+    Q_OBJECT
+
+  private Q_SLOTS:
+    void whatStandsStillSettlesWhereItMay() {
+        SettledBodies bodies(6);
+        QCOMPARE(settleIn(bodies, {1, 2, 3, 5}, {2, 5}, false), (List{1, 2, 3, 5}));
+        QCOMPARE(settleIn(bodies, {1, 2, 3, 5}, {2, 5}), (List{1, 3}));
+        QVERIFY(bodies.has(2) && bodies.has(5) && !bodies.has(1) && !bodies.has(3) && !bodies.has(4));
+        QCOMPARE(settleIn(bodies, {1, 2, 3, 5}, {}), (List{1, 3})); // and stays so
+    }
+
+    void whatIsRousedStirs() {
+        SettledBodies bodies(6);
+        List stirring = settleIn(bodies, {1, 2, 3, 4, 5}, {1, 2, 4, 5});
+        QCOMPARE(stirring, List{3});
+        for (const BodyIndex i : {4u, 1u, 3u}) bodies.rouse(i);
+        bodies.rouse(4); // again
+        bodies.addRoused(stirring);
+        QCOMPARE(stirring, (List{1, 3, 4}));
+        bodies.addRoused(stirring); // they are added once
+        QCOMPARE(stirring, (List{1, 3, 4}));
+        bodies.settle(stirring, [](BodyIndex) { return true; }); // not before a frame has begun
+        QCOMPARE(stirring, (List{1, 3, 4}));
+        bodies.rouseAll();
+        bodies.list(List{1, 2, 3, 4, 5}, stirring);
+        QCOMPARE(stirring, (List{1, 2, 3, 4, 5}));
+    }
+
+    void whatIsRousedAfterItBeganDoesNotSettle() {
+        SettledBodies bodies(3);
+        List stirring;
+        bodies.list(List{0, 1, 2}, stirring);
+        for (const BodyIndex i : stirring) bodies.begin(i);
+        bodies.rouse(1);
+        bodies.settle(stirring, [](BodyIndex) { return true; });
+        QCOMPARE(stirring, List{1});
+    }
+
+    // A world that is taken up anew in each frame looks at all of its bodies again.
+    void whatHappensDoesNotDependOnIt_data() {
+        QTest::addColumn<QByteArray>("preset");
+        for (const char* preset : {"fast", "default"}) QTest::newRow(preset) << QByteArray(preset);
+    }
+    void whatHappensDoesNotDependOnIt() {
+        QFETCH(QByteArray, preset);
+        const Scene scene = struckWall();
+        World straight = test::worldOf(scene, test::contacts(preset.constData()));
+        World anew = test::worldOf(scene, test::contacts(preset.constData()));
+        for (int frame = 1; frame <= 200; ++frame) {
+            straight.step();
+            anew.restore(anew.checkpoint());
+            anew.step();
+            QVERIFY2(straight.stateHash() == anew.stateHash(),
+                     qPrintable(QStringLiteral("frame %1").arg(frame)));
+        }
+    }
+};
+
+} // namespace carom
+
+CAROM_TEST(settled_bodies_test, carom::SettledBodiesTest)
+#include "settled_bodies_test.moc"
