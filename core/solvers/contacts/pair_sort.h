@@ -3,17 +3,15 @@
 
 #include "core/dynamics/bodies.h"
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <utility>
 #include <vector>
 
 namespace carom {
 
-/// Sorts what has a `pair`, ascending: a counting sort by the first body, then each body's pairs by the
-/// second: few for most bodies, all of them for a floor. No pair may occur twice.
+/// Sorts what has a `pair`, ascending: two counting sorts, by the second body and then by the first, which
+/// keeps those of one first body in order. No pair may occur twice.
 template<class Entry>
 class PairSort {
   public:
@@ -21,18 +19,20 @@ class PairSort {
     void sort(std::vector<Entry>& entries, std::size_t bodies) {
         if (entries.empty()) return;
         m_first.assign(bodies + 1, 0);
-        for (const Entry& entry : entries) ++m_first[entry.pair.a + 1];
-        for (std::size_t i = 0; i < bodies; ++i) m_first[i + 1] += m_first[i];
+        if (entries.empty()) return;
+        m_second.assign(bodies + 1, 0);
+        for (const Entry& entry : entries) {
+            ++m_first[entry.pair.a + 1];
+            ++m_second[entry.pair.b + 1];
+        }
+        for (std::size_t i = 0; i < bodies; ++i) {
+            m_first[i + 1] += m_first[i];
+            m_second[i + 1] += m_second[i];
+        }
         if (m_sorted.capacity() < entries.capacity()) m_sorted.reserve(entries.capacity());
         m_sorted.resize(entries.size());
-        for (const Entry& entry : entries) m_sorted[m_first[entry.pair.a]++] = entry;
-        const auto isBefore = [](const Entry& one, const Entry& other) { return one.pair.b < other.pair.b; };
-        for (auto from = m_sorted.begin(); from != m_sorted.end();) {
-            const auto to = m_sorted.begin() + m_first[from->pair.a]; // by now where the body's pairs end
-            if (!std::is_sorted(from, to, isBefore)) std::sort(from, to, isBefore);
-            from = to;
-        }
-        std::swap(entries, m_sorted);
+        for (const Entry& entry : entries) m_sorted[m_second[entry.pair.b]++] = entry;
+        for (const Entry& entry : m_sorted) entries[m_first[entry.pair.a]++] = entry;
     }
     /// Those of which this is the first body, of the entries sorted last.
     std::span<const Entry> of(BodyIndex first, const std::vector<Entry>& entries) const {
@@ -42,7 +42,8 @@ class PairSort {
     }
 
   private:
-    std::vector<std::uint32_t> m_first; // by body: where its next pair goes; when sorted, where they end
+    // By body: where its next pair goes, as the first or the second one; when sorted, where they end.
+    std::vector<std::uint32_t> m_first, m_second;
     std::vector<Entry> m_sorted;
 };
 
