@@ -345,6 +345,7 @@ void BallRows::hold(std::span<const std::uint8_t> still, std::span<const std::ui
                     std::span<const SolverBody> bodies) {
     for (std::size_t i = 0; i < m_groups.size(); ++i) {
         BallGroup& group = m_groups[i];
+        if (!hasAny(group, changed)) continue;
         Fixed& fixed = m_fixed[i];
         for (std::size_t lane = 0; lane < wideLanes; ++lane) {
             if ((changed[group.a[lane]] | changed[group.b[lane]]) == 0 || fixed.source[lane] == noPair)

@@ -214,11 +214,19 @@ class BallRows {
                (row.along2[lane] + held[2][lane]) * n.cross(t);
     }
     static BallGroup emptyGroup(std::uint32_t immobile);
+    /// Whether a group has any of these bodies, by number, not 0: most have none of a few that changed.
+    static bool hasAny(const BallGroup& group, std::span<const std::uint8_t> bodies) {
+        unsigned any = 0;
+        for (std::size_t lane = 0; lane < wideLanes; ++lane)
+            any |= bodies[group.a[lane]] | static_cast<unsigned>(bodies[group.b[lane]]);
+        return any != 0;
+    }
     struct Refresh;
     template<class Visit>
     void visitContacts(std::span<const std::uint8_t> bodies, std::size_t i, bool alsoHeld,
                        const Visit& visit) const {
         const BallGroup& group = m_groups[i];
+        if (!hasAny(group, bodies)) return;
         const Fixed& fixed = m_fixed[i];
         for (std::size_t lane = 0; lane < wideLanes; ++lane) {
             const bool isHeld = fixed.isHeld[lane] > 0;
