@@ -66,7 +66,7 @@ void SteppedMotion::findMoving() {
     }
     m_travel.assign(m_bodies.size(), {});
     m_coming.assign(m_bodies.size(), {});
-    m_seenTurn.resize(m_bodies.size());
+    m_seenTurn.resize(m_bodies.size(), Vec3::Zero());
 }
 
 // Bodies have not moved since this look.
@@ -75,7 +75,7 @@ void SteppedMotion::forgetMoved() {
         m_moved[i] = {};
         m_struck[i] = 0;
     }
-    for (const std::uint32_t i : m_moving.paired) m_seenTurn[i] = Vec3::Zero();
+    m_seenTurn.assign(m_bodies.size(), Vec3::Zero()); // bodies may move on before the next look
 }
 
 void SteppedMotion::findContacts(const SteppedInput& input, double duration, Manifolds& manifolds,
