@@ -288,10 +288,18 @@ void BallRows::reorder(std::span<const std::uint32_t> places, std::uint32_t immo
     markHeld();
 }
 
+void BallRows::emptyLane(std::size_t i, std::size_t lane, std::uint32_t immobile) {
+    copyLane(emptyGroup(immobile), lane, m_groups[i], lane);
+    Fixed& fixed = m_fixed[i];
+    fixed.source[lane] = noPair;
+    for (Wide& place : fixed.place) place[lane] = 0;
+    for (Wide& impulse : fixed.held) impulse[lane] = 0;
+    fixed.wall[lane] = fixed.massNormal[lane] = fixed.massTangent[lane] = fixed.isHeld[lane] = 0;
+}
+
 void BallRows::keep(std::span<const std::uint32_t> sources, std::span<const std::uint32_t> bodies,
                     std::uint32_t immobile) {
     m_packer.restart();
-    const BallGroup empty = emptyGroup(immobile);
     std::uint32_t kept = 0;
     m_newGroup.assign(m_groups.size() + 1, 0);
     for (std::size_t i = 0; i < m_groups.size(); ++i) {
@@ -303,10 +311,7 @@ void BallRows::keep(std::span<const std::uint32_t> sources, std::span<const std:
             if (fixed.source[lane] == noPair) continue;
             fixed.source[lane] = sources[fixed.source[lane]];
             if (fixed.source[lane] == noPair) {
-                copyLane(empty, lane, group, lane);
-                for (Wide& place : fixed.place) place[lane] = 0;
-                for (Wide& impulse : fixed.held) impulse[lane] = 0;
-                fixed.wall[lane] = fixed.massNormal[lane] = fixed.massTangent[lane] = fixed.isHeld[lane] = 0;
+                emptyLane(i, lane, immobile);
                 continue;
             }
             group.a[lane] = bodies[group.a[lane]];

@@ -24,9 +24,9 @@ constexpr std::size_t pointsOfOneLook = 64, mostLooks = 4;
 /// At half, islands change blocks more often; at twice, an impact may pass on through fewer contacts.
 constexpr int tooFew = 4;
 
-/// An island of which more than one body in so many gets new neighbours is put in order before the next
-/// substep, otherwise when the next frame begins. At half, that happens more often; at twice, passes go
-/// through more pairs out of order.
+/// Where more than one body in so many of an island gets new neighbours, what is to be put in order is so
+/// before the next substep, otherwise when the next frame begins. At half, that happens more often; at twice,
+/// passes go through more pairs out of order.
 constexpr std::size_t fewRenewed = 4;
 /// A body whose reach is this many times what it needs gets a new one when a frame begins. At half, more
 /// bodies do; at twice, heaps that came to rest keep a fifth more pairs.
@@ -306,8 +306,7 @@ void BasePath::loadPairs(const SteppedInput& input, Neighbours& neighbours, Mani
         const auto [a, b] = entry.pair;
         SteppedMotion& block = blockWith(hereOf(entry.pair));
         if (has(a) && has(b)) block.joinIslands(block.islandOf(a), block.islandOf(b));
-        block.addPair(input, entry, manifolds);
-        block.reorder(block.islandOf(has(a) ? a : b));
+        block.addLate(input, entry, manifolds);
     }
 }
 
@@ -514,7 +513,6 @@ void BasePath::loadMember(const SteppedInput& input, BodyIndex member, std::uint
     block.addPair(input, entry, manifolds);
     if (here == noBody) return;
     block.joinIslands(block.islandOf(here), block.islandOf(member));
-    block.reorder(block.islandOf(here));
 }
 
 SteppedReport BasePath::advance(const SteppedInput& input, Manifolds& manifolds) {

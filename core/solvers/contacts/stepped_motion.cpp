@@ -128,7 +128,9 @@ void SteppedMotion::addIsland(const SteppedInput& input, std::span<const BodyInd
         m_struck.push_back(0);
     }
     m_links.insert(m_links.end(), springs.begin(), springs.end());
-    if (list.size() >= 2 * Slabs::fewBodies) reorder(island); // it is to be divided
+    if (list.size() < 2 * Slabs::fewBodies) return;
+    m_groups.back().unordered = list.size(); // it is to be divided
+    m_isUnordered = true;
 }
 
 void SteppedMotion::addPair(const SteppedInput& input, const Entry& entry, Manifolds& manifolds) {

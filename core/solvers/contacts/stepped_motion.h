@@ -90,6 +90,10 @@ struct SteppedReport {
 
 class SteppedMotion {
   public:
+    /// An island is put in order when a frame begins if more than one pair for so many of its bodies has come
+    /// or gone since it was. At half, passes go through more pairs out of order and through empty lanes; at
+    /// twice, heaps that come to rest are put in order in every second frame.
+    static constexpr std::size_t fewUnordered = 4;
     struct Entry {
         BodyPair pair;
         std::uint32_t place = Manifolds::none;
@@ -97,6 +101,7 @@ class SteppedMotion {
         bool isFresh = false; ///< the manifold is of the present poses
         bool isNear = false;  ///< they touch, or soon do: solved before others, which are idle together
         bool isGone = false;  ///< no longer a pair of the block
+        bool isLate = false;  ///< came since its island was put in order, and is solved after that
         bool operator<(const Entry& other) const { return pair < other.pair; }
     };
 
@@ -124,9 +129,13 @@ class SteppedMotion {
     /// Adds a pair of bodies that have been added, or of one of these and an immobile one. Its manifold is
     /// that of the last update; balls need none.
     void addPair(const SteppedInput& input, const Entry& entry, Manifolds& manifolds);
-    /// Pairs have been added to an island that has been solved before: all of its pairs are sorted again when
-    /// the next frame begins.
-    void reorder(std::uint32_t island) { m_groups[island].isUnordered = m_isUnordered = true; }
+    /// The same of a pair that comes to an island that has been solved before. Where many have, the island is
+    /// put in order when the next frame begins.
+    void addLate(const SteppedInput& input, const Entry& entry, Manifolds& manifolds) {
+        addPair(input, entry, manifolds);
+        m_entries.back().isLate = true;
+        noteUnordered(entry.pair);
+    }
     /// So many pairs come that they are put in order before the next substep.
     void orderSoon() { m_isOrderedSoon = true; }
     /// Removes pairs of which `is(entry)` holds: they are too far apart to meet.
@@ -137,7 +146,7 @@ class SteppedMotion {
             if (entry.isGone || !is(entry)) continue;
             isAny = entry.isGone = true;
             if (entry.place != Manifolds::none) manifolds.remove(std::exchange(entry.place, Manifolds::none));
-            reorder(rootOf(m_island[numberOf(entry.pair)]));
+            noteUnordered(entry.pair);
         }
         if (isAny) dropGone();
     }
@@ -310,9 +319,14 @@ class SteppedMotion {
         std::uint32_t joined = 0; ///< the island that it has been joined to; its own number if none
         std::size_t bodies = 0;
         bool leaves = false;
-        bool hasStill = false; ///< bodies that stand still
-        bool isUnordered = false;
+        bool hasStill = false;     ///< bodies that stand still
+        std::size_t unordered = 0; ///< pairs that came or went since it was put in order
+        bool isUnordered() const { return fewUnordered * unordered > bodies; }
     };
+    void noteUnordered(BodyPair pair) {
+        ++m_groups[rootOf(m_island[numberOf(pair)])].unordered;
+        m_isUnordered = true;
+    }
     std::uint32_t rootOf(std::uint32_t island) const {
         while (m_groups[island].joined != island) island = m_groups[island].joined;
         return island;
@@ -485,7 +499,7 @@ class SteppedMotion {
     std::vector<std::uint8_t> m_isFlipped; // by entry of balls: B is the pair's first
     std::vector<std::uint32_t> m_general;  // entries that are not of balls
     std::size_t m_ascending = 0;           // so many of the first are in order
-    bool m_isUnordered = false;            // balls of some island
+    bool m_isUnordered = false;            // pairs of some island came or went
     bool m_isOrderedSoon = false;
     std::vector<OpenPair> m_open;          // by number in m_general
     Scratch<std::vector<PairLaws>> m_laws; // by entry
@@ -497,7 +511,7 @@ class SteppedMotion {
     Scratch<std::vector<BodyFrame>> m_frames;
     Scratch<std::vector<std::uint32_t>> m_frameOf; // by number: its place in m_frames, if it has one
     Scratch<std::vector<Watched>> m_watched;
-    Scratch<std::vector<PlacedPair>> m_near, m_far; // pairs of balls, to be put in order
+    Scratch<std::vector<PlacedPair>> m_near, m_far, m_late; // pairs of balls, to be put in order
     Scratch<PairSort<PlacedPair>> m_sort;
     Scratch<std::vector<std::uint32_t>> m_order, m_added;
     Derived<SectionPlan> m_plan;

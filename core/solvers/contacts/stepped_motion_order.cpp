@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <functional>
 #include <utility>
 
 // The order in which passes of the base path go through its pairs.
@@ -21,9 +22,11 @@ constexpr double nearPart = 2 * slackPart;
 // Passes solve for pairs in the order of their bodies' numbers, from the top to the ground, not in that in
 // which they were added: a heap whose lowest contacts are solved first does not come to rest.
 void SteppedMotion::order(const SteppedInput& input) {
-    if (m_isUnordered) divide(input);
+    const bool isUnordered = std::exchange(m_isUnordered, false) &&
+                             std::any_of(m_groups.begin(), m_groups.end(), std::mem_fn(&Group::isUnordered));
+    if (isUnordered) divide(input);
     if (m_ascending < m_general.size()) orderGeneral();
-    if (std::exchange(m_isUnordered, false)) orderBalls(input);
+    if (isUnordered) orderBalls(input);
 }
 
 // Divides the islands that are not in order into slabs.
@@ -31,7 +34,7 @@ void SteppedMotion::divide(const SteppedInput& input) {
     m_plan.forget();
     m_divided.clear();
     for (std::uint32_t i = 1; i < m_island.size(); ++i)
-        if (m_groups[m_island[i]].isUnordered) m_divided.push_back(i);
+        if (m_groups[m_island[i]].isUnordered()) m_divided.push_back(i);
     const auto isBefore = [this](std::uint32_t one, std::uint32_t other) {
         return m_island[one] < m_island[other];
     };
@@ -79,10 +82,10 @@ void SteppedMotion::renumberGeneral(std::size_t from, std::size_t to) {
     m_open[to].watched.open = static_cast<std::uint32_t>(to);
 }
 
-// Removes the pairs of general shapes that are gone.
 void SteppedMotion::dropGone() {
     m_moving.isKnown = false;
     const auto isGone = [this](std::uint32_t entry) { return m_entries[entry].isGone; };
+    m_balls.remove(isGone, immobile);
     std::size_t kept = static_cast<std::size_t>(std::find_if(m_general.begin(), m_general.end(), isGone) -
                                                 m_general.begin());
     std::size_t ascending = std::min(kept, m_ascending);
@@ -96,24 +99,30 @@ void SteppedMotion::dropGone() {
     m_ascending = ascending;
 }
 
-// Sorts the pairs of balls of islands that are not in order.
+// Sorts the pairs of balls of islands that are not in order. In the others, which have other rows then, all
+// stay in the order that they have, so that it depends on no other island.
 void SteppedMotion::orderBalls(const SteppedInput& input) {
     m_near.clear();
     m_far.clear();
+    m_late.clear();
     m_balls.forEachPlace([&](std::uint32_t index, std::uint32_t place) {
         Entry& entry = m_entries[index];
-        if (entry.isGone) return;
-        if (m_groups[m_island[numberOf(entry.pair)]].isUnordered) entry.isNear = isNear(input, entry.pair);
-        (entry.isNear ? m_near : m_far).push_back({entry.pair, place});
+        if (m_groups[m_island[numberOf(entry.pair)]].isUnordered()) {
+            entry.isNear = isNear(input, entry.pair);
+            entry.isLate = false;
+        }
+        (entry.isLate ? m_late : entry.isNear ? m_near : m_far).push_back({entry.pair, place});
     });
-    for (Group& group : m_groups) group.isUnordered = false;
+    for (Group& group : m_groups)
+        if (group.isUnordered()) group.unordered = 0;
     for (std::vector<PlacedPair>* list : {&m_near, &m_far}) m_sort.sort(*list, input.bodies.count());
     m_near.insert(m_near.end(), m_far.begin(), m_far.end());
     if (!m_plan.isMade()) m_plan.make(m_island, m_slab, m_groups.size());
     const std::span<const SectionEnd> sections =
         m_plan.sort(m_near, m_far, [this](const PlacedPair& placed) { return numbersOf(placed.pair); });
     m_order.clear();
-    for (const PlacedPair& placed : m_near) m_order.push_back(placed.place);
+    for (const std::vector<PlacedPair>* list : {&m_near, &m_late})
+        for (const PlacedPair& placed : *list) m_order.push_back(placed.place);
     m_balls.reorder(m_order, immobile, sections, input.workers);
 }
 
@@ -132,7 +141,8 @@ void SteppedMotion::joinIslands(std::uint32_t one, std::uint32_t other) {
     into.bodies += from.bodies;
     into.leaves = into.leaves || from.leaves;
     into.hasStill = into.hasStill || from.hasStill;
-    into.isUnordered = into.isUnordered || from.isUnordered;
+    into.unordered = into.bodies; // it is to be divided anew
+    m_isUnordered = true;
     ++m_joined;
     m_isSettled = false;
 }

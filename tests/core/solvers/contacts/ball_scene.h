@@ -93,7 +93,7 @@ struct BallScene {
 };
 
 /// Where the pairs of these sources are, in the same order.
-std::vector<std::uint32_t> placesOf(const BallRows& rows, const std::vector<std::uint32_t>& sources) {
+inline std::vector<std::uint32_t> placesOf(const BallRows& rows, const std::vector<std::uint32_t>& sources) {
     std::vector<std::uint32_t> placeOf(4 * rows.groups()), places; // by source, which counts from 0
     rows.forEachPlace([&](std::uint32_t source, std::uint32_t place) { placeOf[source] = place; });
     for (const std::uint32_t source : sources) places.push_back(placeOf[source]);
@@ -328,7 +328,7 @@ Seen seenIn(const BallRows& rows, std::size_t pairs) {
     return seen;
 }
 
-double largestDifference(const BallRows& rows, const std::vector<ObviousPoint>& expected) {
+inline double largestDifference(const BallRows& rows, const std::vector<ObviousPoint>& expected) {
     const Seen seen = seenIn(rows, expected.size());
     double largest = 0;
     for (std::size_t i = 0; i < expected.size(); ++i)
@@ -342,7 +342,7 @@ bool sameBits(const SolverBody& one, const SolverBody& other) {
 }
 
 /// Of a ball; without one it stands still.
-void setInverseMass(SolverBody& ball, double inverse) {
+inline void setInverseMass(SolverBody& ball, double inverse) {
     ball.inverseMass = inverse;
     ball.roundInverse = 2.5 * inverse;
     setInverseInertia(ball.roundInverse * Mat3::Identity(), ball);
