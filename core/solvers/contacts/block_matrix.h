@@ -40,6 +40,8 @@ class BlockMatrix {
     void reserve(std::size_t blocks);
     /// Products of blocks that one factorisation takes.
     std::size_t updates() const { return m_updates.size(); }
+    /// Blocks below the diagonal, fill-in included.
+    std::size_t couplings() const { return m_rows.size(); }
 
     void setZero();
     void addToDiagonal(int block, const Mat6& value) { m_diagonal[place(block)] += value; }

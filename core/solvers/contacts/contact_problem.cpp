@@ -123,6 +123,13 @@ Mat6 massMatrix(const ContactBody& body, double perMass) {
     return mass;
 }
 
+Vec6 momentumOf(const ContactBody& body, const Vec6& velocity) {
+    Vec6 momentum;
+    momentum.head<3>() = body.mass * velocity.head<3>();
+    momentum.tail<3>().noalias() = body.inertia * velocity.tail<3>();
+    return momentum;
+}
+
 void velocitiesFromImpulses(ContactProblem& problem) {
     for (ContactBody& body : problem.bodies) body.velocity.setZero(); // the impulse, for now
     const auto add = [&](int index, const Mat36& jacobian, const Vec3& impulse) {

@@ -122,6 +122,8 @@ struct ProblemUnits {
 void chooseUnits(const ContactProblem& problem, ProblemUnits& units);
 /// Mass and inertia of a body as a matrix, times `perMass`.
 Mat6 massMatrix(const ContactBody& body, double perMass);
+/// The same times a velocity: M v.
+Vec6 momentumOf(const ContactBody& body, const Vec6& velocity);
 
 /// v := v̂ + M⁻¹ Jᵀ p, so that momentum is exact to rounding.
 void velocitiesFromImpulses(ContactProblem& problem);

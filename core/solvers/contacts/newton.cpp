@@ -15,9 +15,9 @@ namespace {
 /// κ at a warm start, and its range. Above 1e5 the rounding of H shows in the solution; the factor 10 is the
 /// growth when the outer loop converges slowly. At twice or half the solution is the same: a smaller κ takes
 /// more rounds, a larger one more steps in each.
-constexpr double kappaWarm = 1e3, kappaLeast = 1e-2, kappaMost = 1e9, kappaGrowth = 10;
-/// A warm start is poor if the first inner problem takes more steps than this: begin again with κ = 1. At
-/// half, good guesses are given up; at twice, poor ones cost twice as many factorisations.
+constexpr double kappaWarm = 1e2, kappaLeast = 1e-2, kappaMost = 1e9, kappaGrowth = 10;
+/// A warm start is poor if the error of the first inner problem falls slowly after so many steps: begin again
+/// with κ = 1. At half, good guesses are given up; at twice, poor ones cost twice as many factorisations.
 constexpr int fewSteps = 6;
 /// Where the error no longer falls but is within this factor of the tolerance, rounding is what is left. At
 /// half, problems that are as good as solved go on to the limit of steps; at twice, larger errors are left.
@@ -25,6 +25,13 @@ constexpr double stallNearby = 10;
 /// The inner problem is solved to this part of the tolerance. At half, rounding hinders it earlier; at twice,
 /// its error is a fifth of the tolerance, and more rounds are made.
 constexpr double innerPart = 0.1;
+/// Steps that do not halve the least error until rounding is what is left. With one, a step that passes a
+/// kink ends the iteration; with four, two more steps are made of nothing but rounding, which may lead away.
+constexpr int mostStalled = 2;
+/// Rounds that do not halve the least change until none is expected to. At half, bounds that contradict each
+/// other are left before the drift along them has ended; at twice, problems without a solution cost twice as
+/// much.
+constexpr int mostVain = 20;
 /// Inner steps and outer rounds at most; the hardest problems met took 40 and 30. At half of the first, these
 /// fail; at twice, a problem without a solution costs twice as much where its budget allows that.
 constexpr int mostSteps = 60, mostRounds = 80;
@@ -33,15 +40,9 @@ constexpr int mostSteps = 60, mostRounds = 80;
 /// solved are given up; at twice, one without a solution costs up to twice as much.
 constexpr int leastSteps = 30;
 /// The inner error should fall at least to this part in a step; else the coupled step is tried, at the cost
-/// of another factorisation. At half, it is tried more often in vain; at twice, slow convergence lasts
-/// longer.
-constexpr double slowFall = 0.3;
-/// The line search is exact enough when the slope along the step has fallen to this part. Twice or half moves
-/// work between the search and the number of steps.
-constexpr double slopeFall = 0.1;
-/// Slopes that one line search evaluates at most in each of its two loops. At half, a search that rounding
-/// keeps from ending costs half as much.
-constexpr int mostSlopes = 40;
+/// of another factorisation, and the matrix is not used again. At half, it is tried more often in vain; at
+/// twice, slow convergence lasts longer.
+constexpr double slowFall = 0.1;
 /// Multipliers drift steadily if their drift changes by at most this part of it in a round. At half, more
 /// rounds pass before a drift is followed; at twice, a change that bends is taken for a drift.
 constexpr double steadyPart = 0.05;
@@ -58,35 +59,13 @@ BlockEdge edgeOf(const Row& row) {
     return {std::min(row.a, row.b), std::max(row.a, row.b)};
 }
 
-template<class Row>
-Vec3 velocityAlong(const Row& row, const std::vector<Vec6>& step) {
-    Vec3 du = Vec3::Zero();
-    if (row.a != immobile) du.noalias() += row.jacobianA * step[at(row.a)];
-    if (row.b != immobile) du.noalias() += row.jacobianB * step[at(row.b)];
-    return du;
+void saveVelocities(const ContactProblem& problem, std::vector<Vec6>& saved) {
+    saved.clear();
+    for (const ContactBody& body : problem.bodies) saved.push_back(body.velocity);
 }
 
-Vec2 spinAlong(const ContactRow& row, const std::vector<Vec6>& step) {
-    Vec3 spin = Vec3::Zero();
-    if (row.a != immobile) spin -= step[at(row.a)].tail<3>();
-    if (row.b != immobile) spin += step[at(row.b)].tail<3>();
-    return row.frame.bottomRows<2>() * spin;
-}
-
-/// The derivative of the projection of a two-vector on a disc of the given radius, times `rho`.
-Eigen::Matrix2d discSlope(const Vec2& z, double radius, double rho) {
-    if (!(radius > 0)) return Eigen::Matrix2d::Zero();
-    const double size = z.norm();
-    if (size <= radius) return rho * Eigen::Matrix2d::Identity();
-    const Vec2 t = z / size;
-    return (rho * radius / size) * (Eigen::Matrix2d::Identity() - t * t.transpose());
-}
-
-Vec6 momentumChange(const ContactBody& body, const Vec6& velocity) {
-    Vec6 momentum;
-    momentum.head<3>() = body.mass * velocity.head<3>();
-    momentum.tail<3>().noalias() = body.inertia * velocity.tail<3>();
-    return momentum;
+void takeVelocities(const std::vector<Vec6>& saved, ContactProblem& problem) {
+    for (std::size_t i = 0; i < saved.size(); ++i) problem.bodies[i].velocity = saved[i];
 }
 
 } // namespace
@@ -99,6 +78,7 @@ void NewtonSolver::reserve(std::size_t bodies, std::size_t rows) {
     m_gradient.reserve(bodies);
     m_step.reserve(bodies);
     m_saved.reserve(bodies);
+    m_best.reserve(bodies);
     m_matrix.reserve(bodies);
 }
 
@@ -118,33 +98,43 @@ NewtonReport NewtonSolver::solve(ContactProblem& problem, double tolerance, doub
         return report;
     }
     m_kappa = kappaWarm;
+    m_isCoupledBetter = false;
     report.factorisations += startFromNothing(problem);
-    double whole = std::numeric_limits<double>::infinity();
+    m_factoredAt = 0; // that of the first guess is another problem's
+    double whole = std::numeric_limits<double>::infinity(), least = whole;
     bool first = true;
-    int most = mostSteps;
+    int most = mostSteps, vain = 0;
     for (int round = 0; round < mostRounds; ++round) {
         if (m_work >= mostWork) {
             takeBest(problem, report);
             report.work = m_work;
             return report;
         }
-        int steps = 0;
+        Steps steps{.most = most, .surely = first ? fewSteps : most};
         const double inner = std::max(innerPart * tolerance, 0.01 * residual);
-        const bool minimised = minimise(problem, inner, mostWork, first ? fewSteps + 1 : most, steps);
-        report.factorisations += steps;
-        if (first && (!minimised || steps > fewSteps)) {
+        const bool minimised = minimise(problem, inner, mostWork, steps);
+        report.factorisations += steps.taken;
+        if (first && !minimised) {
             m_kappa = 1;
             resetMultipliers(problem); // those of the warm start
             first = false;
             continue;
         }
         first = false;
+        ++vain;
         if (!minimised) { // multipliers from an unsolved inner problem would be amplified by ρ
-            m_kappa = std::max(kappaLeast, m_kappa / kappaGrowth);
+            const double part = std::min(1 / kappaGrowth, steps.limit > 0 ? inner / steps.limit : 1);
+            m_kappa = std::max(kappaLeast, part * m_kappa);
+            if (steps.limit > 0) continue;
             most = std::max(leastSteps, most / 2);
             continue;
         }
         const double change = updateMultipliers(problem);
+        if (change <= 0.5 * least) {
+            least = change;
+            vain = 0;
+        }
+        if (vain >= mostVain && change <= 2 * least) break;
         if (change <= tolerance && inner <= tolerance) {
             // A small change means that l has converged; the residual of the whole problem decides.
             takeImpulses(problem);
@@ -204,6 +194,12 @@ bool NewtonSolver::prepare(const ContactProblem& problem, double mostWork) {
     m_gradient.resize(problem.bodies.size());
     m_step.resize(problem.bodies.size());
     chooseUnits(problem, m_units);
+    double fastest = 0;
+    for (const ContactBody& body : problem.bodies)
+        fastest = std::max({fastest, fastestPart(body), fastestPart(body.freeVelocity, body.gyration)});
+    for (const ContactRow& row : problem.rows) fastest = std::max(fastest, std::abs(row.bound));
+    m_rounding = std::numeric_limits<double>::epsilon() * fastest;
+    m_solveWork = work::apply * static_cast<double>(2 * m_matrix.couplings() + problem.bodies.size());
     resetMultipliers(problem);
     return true;
 }
@@ -256,28 +252,33 @@ int NewtonSolver::startFromNothing(ContactProblem& problem) {
 }
 
 // Solves the inner problem for the velocities. Where contacts slip, steps with H alone may converge slowly or
-// not at all. Then a step with the whole derivative of G is tried, and taken if it halves the error.
-bool NewtonSolver::minimise(ContactProblem& problem, double tolerance, double mostWork, int most,
-                            int& steps) {
-    double before = std::numeric_limits<double>::infinity();
-    int stalled = 0;
-    for (steps = 0; steps < most && m_work < mostWork;) {
-        const double error = errorAt(problem);
+// not at all. Then a step with the whole derivative of G is tried, and taken if it halves the error; where it
+// did it is tried at once the next time. The matrix of the step before serves again while it still fits.
+bool NewtonSolver::minimise(ContactProblem& problem, double tolerance, double mostWork, Steps& steps) {
+    double before = std::numeric_limits<double>::infinity(), best = before, error = errorAt(problem);
+    int stalled = 0; // steps since the least error was halved
+    for (steps.taken = 0; steps.taken < steps.most && m_work < mostWork;) {
         if (error <= tolerance) return true;
         if (!std::isfinite(error)) return false;
-        stalled = error > 0.5 * before ? stalled + 1 : 0;
-        if (stalled >= 3 && error <= stallNearby * tolerance) return true; // rounding limits the error
-        if (error > slowFall * before && stepCoupled(problem, error, steps)) {
-            before = error;
-            continue;
+        const bool isSlow = error > slowFall * before;
+        if (steps.taken >= steps.surely && isSlow) return false;
+        stalled = error > 0.5 * best ? stalled + 1 : 0;
+        if (stalled == 0) best = error;
+        if (stalled == 0) saveVelocities(problem, m_best);
+        if (stalled >= mostStalled && best <= std::max(stallNearby * tolerance, m_kappa * m_rounding)) {
+            takeVelocities(m_best, problem);
+            steps.limit = errorAt(problem);
+            return steps.limit <= stallNearby * tolerance;
         }
         before = error;
-        errorAt(problem);
+        if (isFactored() && stepAgain(problem, error)) continue;
+        if ((isSlow || m_isCoupledBetter) && stepCoupled(problem, error, steps.taken)) continue;
         if (!findStep(problem, false)) return false;
-        ++steps;
+        ++steps.taken;
         const double along = lineSearch(problem);
         if (!std::isfinite(along)) return false;
         for (std::size_t i = 0; i < m_step.size(); ++i) problem.bodies[i].velocity += along * m_step[i];
+        error = errorAt(problem);
     }
     return false;
 }
@@ -290,29 +291,54 @@ double NewtonSolver::errorAt(const ContactProblem& problem) {
 }
 
 bool NewtonSolver::findStep(const ContactProblem& problem, bool coupled) {
+    m_factoredAt = 0;
     if (!factor(problem, coupled)) return false;
-    for (std::size_t i = 0; i < m_step.size(); ++i) m_step[i] = -m_units.perMass * m_gradient[i];
-    m_matrix.solve(m_step);
+    m_factoredAt = m_kappa;
+    for (RowState& state : m_rows) state.factoredSide = state.side;
+    solveForStep();
     return true;
 }
 
-bool NewtonSolver::stepCoupled(ContactProblem& problem, double error, int& steps) {
-    const auto slips = [](const ContactRow& row, const RowState& state) {
-        const double normal = state.z.x();
-        return normal > 0 && ((row.friction > 0 && state.z.tail<2>().norm() > row.friction * normal) ||
-                              (row.rolling > 0 && state.rollZ.norm() > row.rolling * normal));
-    };
-    bool any = false;
-    for (std::size_t i = 0; i < m_rows.size(); ++i) any = any || slips(problem.rows[i], m_rows[i]);
+void NewtonSolver::solveForStep() {
+    for (std::size_t i = 0; i < m_step.size(); ++i) m_step[i] = -m_units.perMass * m_gradient[i];
+    m_matrix.solve(m_step);
+}
+
+// Whether the factored matrix is that of a problem in which the same contacts open, stick and slip.
+bool NewtonSolver::isFactored() const {
+    return m_factoredAt == m_kappa && std::all_of(m_rows.begin(), m_rows.end(), [](const RowState& state) {
+               return state.side == state.factoredSide;
+           });
+}
+
+// Takes the whole step, if it lets the error fall to this part of it.
+bool NewtonSolver::tryStep(ContactProblem& problem, double part, double& error) {
+    saveVelocities(problem, m_saved);
+    for (std::size_t i = 0; i < m_step.size(); ++i) problem.bodies[i].velocity += m_step[i];
+    const double after = errorAt(problem);
+    if (after <= part * error) {
+        error = after;
+        return true;
+    }
+    takeVelocities(m_saved, problem);
+    errorAt(problem);
+    return false;
+}
+
+// A step with the matrix that is factored.
+bool NewtonSolver::stepAgain(ContactProblem& problem, double& error) {
+    m_work += m_solveWork;
+    solveForStep();
+    return tryStep(problem, slowFall, error);
+}
+
+bool NewtonSolver::stepCoupled(ContactProblem& problem, double& error, int& steps) {
+    const bool any = std::any_of(m_rows.begin(), m_rows.end(),
+                                 [](const RowState& state) { return state.side == Side::Slips; });
     if (!any) return false;
     ++steps;
-    if (!findStep(problem, true)) return false;
-    m_saved.resize(m_step.size());
-    for (std::size_t i = 0; i < m_step.size(); ++i) m_saved[i] = problem.bodies[i].velocity;
-    for (std::size_t i = 0; i < m_step.size(); ++i) problem.bodies[i].velocity += m_step[i];
-    if (errorAt(problem) <= 0.5 * error) return true;
-    for (std::size_t i = 0; i < m_step.size(); ++i) problem.bodies[i].velocity = m_saved[i];
-    return false;
+    m_isCoupledBetter = findStep(problem, true) && tryStep(problem, 0.5, error);
+    return m_isCoupledBetter;
 }
 
 CAROM_WIDE void NewtonSolver::evaluateRows(const ContactProblem& problem) {
@@ -326,6 +352,14 @@ CAROM_WIDE void NewtonSolver::evaluateRows(const ContactProblem& problem) {
         m_springU[i] = relativeVelocity(problem, problem.springs[i]);
 }
 
+NewtonSolver::Side NewtonSolver::sideOf(const ContactRow& row, const RowState& state) {
+    const double normal = state.z.x();
+    if (!(normal > 0)) return Side::Open;
+    const bool slips = (row.friction > 0 && state.z.tail<2>().norm() > row.friction * normal) ||
+                       (row.rolling > 0 && state.rollZ.norm() > row.rolling * normal);
+    return slips ? Side::Slips : Side::Sticks;
+}
+
 // Computes z and p at the velocities v + along · step.
 CAROM_WIDE void NewtonSolver::project(const ContactProblem& problem, double along) {
     for (std::size_t i = 0; i < m_rows.size(); ++i) {
@@ -335,6 +369,7 @@ CAROM_WIDE void NewtonSolver::project(const ContactProblem& problem, double alon
         if (row.rolling > 0)
             state.rollZ = state.rollL - (m_kappa * row.effectiveInertia) * (state.roll + along * state.droll);
         state.p = projectOnCone(row, state.z, state.rollZ);
+        state.side = sideOf(row, state);
     }
 }
 
@@ -342,7 +377,7 @@ CAROM_WIDE void NewtonSolver::project(const ContactProblem& problem, double alon
 CAROM_WIDE double NewtonSolver::gradient(const ContactProblem& problem) {
     for (std::size_t i = 0; i < m_gradient.size(); ++i)
         m_gradient[i] =
-            momentumChange(problem.bodies[i], problem.bodies[i].velocity - problem.bodies[i].freeVelocity);
+            momentumOf(problem.bodies[i], problem.bodies[i].velocity - problem.bodies[i].freeVelocity);
     const auto subtract = [&](const auto& row, const Vec3& impulse) {
         if (row.a != immobile) m_gradient[at(row.a)].noalias() -= row.jacobianA.transpose() * impulse;
         if (row.b != immobile) m_gradient[at(row.b)].noalias() -= row.jacobianB.transpose() * impulse;
@@ -367,133 +402,6 @@ CAROM_WIDE double NewtonSolver::gradient(const ContactProblem& problem) {
             std::max({largest, m_gradient[i].head<3>().norm() / body.mass, spin.norm() * body.gyration});
     }
     return largest;
-}
-
-// Factorises H, or if `coupled` the whole derivative of G.
-bool NewtonSolver::factor(const ContactProblem& problem, bool coupled) {
-    m_work += m_rowWork + work::block * static_cast<double>(m_matrix.updates() + problem.bodies.size()) *
-                              (coupled ? 2 : 1);
-    m_matrix.setZero();
-    for (std::size_t i = 0; i < problem.bodies.size(); ++i) {
-        m_matrix.addToDiagonal(static_cast<int>(i), massMatrix(problem.bodies[i], m_units.perMass));
-    }
-    for (std::size_t i = 0; i < m_rows.size(); ++i) addContact(problem.rows[i], m_rows[i], coupled);
-    for (std::size_t i = 0; i < problem.springs.size(); ++i) {
-        const SoftRow& row = problem.springs[i];
-        const Mat3 slope = (m_units.perMass * row.rate).asDiagonal();
-        addBlocks<3>({row.a, row.b, m_springEdge[i]}, row.jacobianA.transpose() * slope,
-                     row.jacobianB.transpose() * slope, row.jacobianA, row.jacobianB);
-    }
-    return coupled ? m_matrix.factorGeneral(m_units.length) : m_matrix.factor();
-}
-
-// Adds the products left · right of both bodies of a row to their blocks.
-template<int rows>
-CAROM_INLINE void NewtonSolver::addBlocks(const Place& place, const Eigen::Matrix<double, 6, rows>& leftA,
-                                          const Eigen::Matrix<double, 6, rows>& leftB,
-                                          const Eigen::Matrix<double, rows, 6>& rightA,
-                                          const Eigen::Matrix<double, rows, 6>& rightB) {
-    if (place.a != immobile) m_matrix.addToDiagonal(place.a, leftA * rightA);
-    if (place.b != immobile) m_matrix.addToDiagonal(place.b, leftB * rightB);
-    if (place.edge < 0) return;
-    if (place.a < place.b)
-        m_matrix.addToEdge(at(place.edge), leftA * rightB, leftB * rightA);
-    else
-        m_matrix.addToEdge(at(place.edge), leftB * rightA, leftA * rightB);
-}
-
-CAROM_WIDE void NewtonSolver::addContact(const ContactRow& row, const RowState& state, bool coupled) {
-    if (!(state.z.x() > 0)) return;
-    const double rho = m_kappa * m_units.perMass * row.effectiveMass;
-    Mat3 slope = Mat3::Zero();
-    slope(0, 0) = rho;
-    const Vec2 tangent = state.z.tail<2>();
-    slope.bottomRightCorner<2, 2>() = discSlope(tangent, row.friction * state.z.x(), rho);
-    if (coupled && tangent.norm() > row.friction * state.z.x())
-        slope.bottomLeftCorner<2, 1>() = (rho * row.friction) * tangent.normalized();
-    const Place place{row.a, row.b, state.edge};
-    addBlocks<3>(place, row.jacobianA.transpose() * slope, row.jacobianB.transpose() * slope, row.jacobianA,
-                 row.jacobianB);
-    if (!(row.rolling > 0)) return;
-
-    const Eigen::Matrix2d rollSlope =
-        discSlope(state.rollZ, row.rolling * state.z.x(), m_kappa * m_units.perMass * row.effectiveInertia);
-    Eigen::Matrix<double, 2, 6> across = Eigen::Matrix<double, 2, 6>::Zero();
-    across.rightCols<3>() = row.frame.bottomRows<2>();
-    const Eigen::Matrix<double, 6, 2> left = across.transpose() * rollSlope;
-    addBlocks<2>(place, -left, left, -across, across);
-    if (!coupled || !(state.rollZ.norm() > row.rolling * state.z.x())) return;
-    const Vec6 torque = across.transpose() * ((rho * row.rolling) * state.rollZ.normalized());
-    addBlocks<1>(place, -torque, torque, row.jacobianA.row(0), row.jacobianB.row(0));
-}
-
-// sᵀ G(v + along s).
-double NewtonSolver::slope(const ContactProblem& problem, double along, double quadratic, double linear) {
-    project(problem, along);
-    m_work += 0.5 * m_rowWork;
-    double sum = linear + along * quadratic;
-    for (const RowState& state : m_rows) {
-        sum -= state.du.dot(state.p.impulse);
-        sum -= state.droll.dot(state.p.rolling);
-    }
-    for (std::size_t i = 0; i < m_springU.size(); ++i) {
-        const SoftRow& row = problem.springs[i];
-        sum += m_springDu[i].dot(row.offset + row.rate.cwiseProduct(m_springU[i] + along * m_springDu[i]));
-    }
-    return sum;
-}
-
-// The step length at which the slope vanishes. Near the solution, differences of the objective are lost in
-// rounding; the slope is not.
-CAROM_WIDE double NewtonSolver::lineSearch(const ContactProblem& problem) {
-    for (std::size_t i = 0; i < m_rows.size(); ++i) {
-        m_rows[i].du = velocityAlong(problem.rows[i], m_step);
-        if (problem.rows[i].rolling > 0) m_rows[i].droll = spinAlong(problem.rows[i], m_step);
-    }
-    for (std::size_t i = 0; i < m_springDu.size(); ++i)
-        m_springDu[i] = velocityAlong(problem.springs[i], m_step);
-    double quadratic = 0, linear = 0;
-    for (std::size_t i = 0; i < m_step.size(); ++i) {
-        const ContactBody& body = problem.bodies[i];
-        const Vec6 momentum = momentumChange(body, m_step[i]);
-        quadratic += m_step[i].dot(momentum);
-        linear += momentum.dot(body.velocity - body.freeVelocity);
-    }
-
-    const double start = slope(problem, 0, quadratic, linear);
-    const double enough = slopeFall * std::abs(start);
-    double high = 1, slopeHigh = slope(problem, high, quadratic, linear);
-    if (std::abs(slopeHigh) <= enough || !(start < 0)) return 1;
-    double low = 0, slopeLow = start;
-    for (int i = 0; i < mostSlopes && slopeHigh < 0; ++i) { // too short: contacts left or reached their cones
-        low = high;
-        slopeLow = slopeHigh;
-        high *= 2;
-        slopeHigh = slope(problem, high, quadratic, linear);
-        if (std::abs(slopeHigh) <= enough) return high;
-    }
-    // Regula falsi; the slope at an end that is kept twice in a row is halved, or it would be kept for ever
-    // (the Illinois method, M. Dowell, P. Jarratt, "A modified regula falsi method", 1971).
-    int kept = 0; // steps in a row for which low was kept; negative: high
-    for (int i = 0; i < mostSlopes; ++i) {
-        const double width = high - low;
-        const double secant = low - slopeLow * width / (slopeHigh - slopeLow);
-        const double middle = std::clamp(secant, low + 0.01 * width, high - 0.01 * width);
-        const double slopeMiddle = slope(problem, middle, quadratic, linear);
-        if (std::abs(slopeMiddle) <= enough) return middle;
-        if (slopeMiddle < 0) {
-            low = middle;
-            slopeLow = slopeMiddle;
-            kept = std::min(kept, 0) - 1;
-            if (kept < -1) slopeHigh *= 0.5;
-        } else {
-            high = middle;
-            slopeHigh = slopeMiddle;
-            kept = std::max(kept, 0) + 1;
-            if (kept > 1) slopeLow *= 0.5;
-        }
-    }
-    return low > 0 ? low : high;
 }
 
 // Sets l := p(v); returns the largest change, as a speed [m/s].

@@ -4,6 +4,7 @@
 #include "core/solvers/contacts/block_matrix.h"
 #include "core/solvers/contacts/contact_problem.h"
 
+#include <cstdint>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -24,6 +25,13 @@
 // H omits the dependence of the slip radius r on pₙ, which keeps it symmetric positive definite and the step
 // a descent direction; G includes it, so the solution is exact. Where that converges slowly the whole
 // derivative of G is factored instead (not symmetric, Alart and Curnier's) and its step is taken if it helps.
+// The outer loop hardly changes H: while the same contacts open, stick and slip, a step with the matrix that
+// is factored already is tried first (the chord method), which takes no factorisation.
+//
+// Rounding leaves an error of about κ ε |v| in G. Where that is more than the tolerance, further steps are
+// made of nothing but rounding: the iteration ends at the best velocities, and goes on with a κ at which
+// there is less of it. The outer loop ends where the multipliers no longer come nearer.
+//
 // H contains M: redundant contacts (four corners of a cube) need no special treatment. A larger κ makes the
 // outer loop converge faster and conditions H worse.
 //
@@ -59,6 +67,8 @@ class NewtonSolver {
                        double mostWork = std::numeric_limits<double>::infinity());
 
   private:
+    /// What a contact does where its multipliers are projected.
+    enum class Side : std::uint8_t { Open, Sticks, Slips };
     struct RowState {
         Vec3 u = Vec3::Zero(), du = Vec3::Zero(); // with the bound; along the step
         Vec2 roll = Vec2::Zero(), droll = Vec2::Zero();
@@ -70,6 +80,12 @@ class NewtonSolver {
         Vec2 rollZ = Vec2::Zero();
         Projected p;
         int edge = -1;
+        Side side = Side::Open, factoredSide = Side::Open; // at z; when the matrix was factored
+    };
+    /// Factorisations of an inner problem: so many at most; beyond `surely` while the error falls fast.
+    struct Steps {
+        int most = 0, surely = 0, taken = 0;
+        double limit = 0; ///< the error that rounding leaves, where that ended it [m/s]
     };
 
     struct Place {
@@ -79,13 +95,18 @@ class NewtonSolver {
     bool prepare(const ContactProblem& problem, double mostWork);
     void resetMultipliers(const ContactProblem& problem);
     int startFromNothing(ContactProblem& problem);
-    bool minimise(ContactProblem& problem, double tolerance, double mostWork, int most, int& steps);
+    bool minimise(ContactProblem& problem, double tolerance, double mostWork, Steps& steps);
     void evaluateRows(const ContactProblem& problem);
     void project(const ContactProblem& problem, double along);
     double gradient(const ContactProblem& problem);
     double errorAt(const ContactProblem& problem);
     bool findStep(const ContactProblem& problem, bool coupled);
-    bool stepCoupled(ContactProblem& problem, double error, int& steps);
+    void solveForStep();
+    bool isFactored() const;
+    bool tryStep(ContactProblem& problem, double part, double& error);
+    bool stepAgain(ContactProblem& problem, double& error);
+    bool stepCoupled(ContactProblem& problem, double& error, int& steps);
+    static Side sideOf(const ContactRow& row, const RowState& state);
     bool factor(const ContactProblem& problem, bool coupled);
     void addContact(const ContactRow& row, const RowState& state, bool coupled);
     template<int rows>
@@ -101,16 +122,20 @@ class NewtonSolver {
     void takeBest(ContactProblem& problem, NewtonReport& report);
 
     double m_kappa = 1;
-    bool m_isSteady = false; // multipliers drift as in the round before
-    double m_work = 0;       // of this solve, operations
-    double m_rowWork = 0;    // of looking at all rows and bodies once
+    double m_rounding = 0;          // of the velocities [m/s]
+    double m_factoredAt = 0;        // κ of the factored matrix; 0: there is none
+    bool m_isCoupledBetter = false; // the last step with the whole derivative was taken
+    bool m_isSteady = false;        // multipliers drift as in the round before
+    double m_work = 0;              // of this solve, operations
+    double m_rowWork = 0;           // of looking at all rows and bodies once
+    double m_solveWork = 0;         // of a step with a matrix that is factored
     std::vector<RowState> m_rows;
     std::vector<int> m_springEdge;
     std::vector<Vec3> m_springU, m_springDu;
     ProblemUnits m_units; // that H is written in, and its pivots are chosen in
     std::vector<BlockEdge> m_edges;
     std::vector<std::pair<Vec3, Vec2>> m_first; // by row: the impulses of the start
-    std::vector<Vec6> m_gradient, m_step, m_saved;
+    std::vector<Vec6> m_gradient, m_step, m_saved, m_best;
     BlockMatrix m_matrix;
 };
 

@@ -15,6 +15,7 @@ namespace work {
 inline constexpr double row = 120;          ///< looking at one contact point: velocity, cone, gradient
 inline constexpr double body = 60;          ///< the same of a body
 inline constexpr double block = 110;        ///< a product of two 6 × 6 blocks
+inline constexpr double apply = 25;         ///< a product of such a block and a vector
 inline constexpr double ordering = 500;     ///< a coupling, in choosing the order of elimination
 inline constexpr double collide = 2500;     ///< a pair of cylinders or cuboids
 inline constexpr double look = 3;           ///< comparing a remembered figure of a row

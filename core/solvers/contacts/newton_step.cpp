@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/wide.h"
+#include "core/solvers/contacts/newton.h"
+#include "core/solvers/contacts/work_budget.h"
+
+#include <algorithm>
+#include <cmath>
+
+// A step of Newton's method: its matrix, and how far it goes.
+
+namespace carom {
+namespace {
+
+/// The line search is exact enough when the slope along the step has fallen to this part. Twice or half moves
+/// work between the search and the number of steps.
+constexpr double slopeFall = 0.1;
+/// Slopes that one line search evaluates at most in each of its two loops. At half, a search that rounding
+/// keeps from ending costs half as much.
+constexpr int mostSlopes = 40;
+
+template<class Row>
+Vec3 velocityAlong(const Row& row, const std::vector<Vec6>& step) {
+    Vec3 du = Vec3::Zero();
+    if (row.a != immobile) du.noalias() += row.jacobianA * step[at(row.a)];
+    if (row.b != immobile) du.noalias() += row.jacobianB * step[at(row.b)];
+    return du;
+}
+
+Vec2 spinAlong(const ContactRow& row, const std::vector<Vec6>& step) {
+    Vec3 spin = Vec3::Zero();
+    if (row.a != immobile) spin -= step[at(row.a)].tail<3>();
+    if (row.b != immobile) spin += step[at(row.b)].tail<3>();
+    return row.frame.bottomRows<2>() * spin;
+}
+
+/// The derivative of the projection of a two-vector on a disc of the given radius, times `rho`.
+Eigen::Matrix2d discSlope(const Vec2& z, double radius, double rho) {
+    if (!(radius > 0)) return Eigen::Matrix2d::Zero();
+    const double size = z.norm();
+    if (size <= radius) return rho * Eigen::Matrix2d::Identity();
+    const Vec2 t = z / size;
+    return (rho * radius / size) * (Eigen::Matrix2d::Identity() - t * t.transpose());
+}
+
+} // namespace
+
+// Factorises H, or if `coupled` the whole derivative of G.
+bool NewtonSolver::factor(const ContactProblem& problem, bool coupled) {
+    m_work += m_rowWork + work::block * static_cast<double>(m_matrix.updates() + problem.bodies.size()) *
+                              (coupled ? 2 : 1);
+    m_matrix.setZero();
+    for (std::size_t i = 0; i < problem.bodies.size(); ++i) {
+        m_matrix.addToDiagonal(static_cast<int>(i), massMatrix(problem.bodies[i], m_units.perMass));
+    }
+    for (std::size_t i = 0; i < m_rows.size(); ++i) addContact(problem.rows[i], m_rows[i], coupled);
+    for (std::size_t i = 0; i < problem.springs.size(); ++i) {
+        const SoftRow& row = problem.springs[i];
+        const Mat3 slope = (m_units.perMass * row.rate).asDiagonal();
+        addBlocks<3>({row.a, row.b, m_springEdge[i]}, row.jacobianA.transpose() * slope,
+                     row.jacobianB.transpose() * slope, row.jacobianA, row.jacobianB);
+    }
+    return coupled ? m_matrix.factorGeneral(m_units.length) : m_matrix.factor();
+}
+
+// Adds the products left · right of both bodies of a row to their blocks.
+template<int rows>
+CAROM_INLINE void NewtonSolver::addBlocks(const Place& place, const Eigen::Matrix<double, 6, rows>& leftA,
+                                          const Eigen::Matrix<double, 6, rows>& leftB,
+                                          const Eigen::Matrix<double, rows, 6>& rightA,
+                                          const Eigen::Matrix<double, rows, 6>& rightB) {
+    if (place.a != immobile) m_matrix.addToDiagonal(place.a, leftA * rightA);
+    if (place.b != immobile) m_matrix.addToDiagonal(place.b, leftB * rightB);
+    if (place.edge < 0) return;
+    if (place.a < place.b)
+        m_matrix.addToEdge(at(place.edge), leftA * rightB, leftB * rightA);
+    else
+        m_matrix.addToEdge(at(place.edge), leftB * rightA, leftA * rightB);
+}
+
+CAROM_WIDE void NewtonSolver::addContact(const ContactRow& row, const RowState& state, bool coupled) {
+    if (!(state.z.x() > 0)) return;
+    const double rho = m_kappa * m_units.perMass * row.effectiveMass;
+    Mat3 slope = Mat3::Zero();
+    slope(0, 0) = rho;
+    const Vec2 tangent = state.z.tail<2>();
+    slope.bottomRightCorner<2, 2>() = discSlope(tangent, row.friction * state.z.x(), rho);
+    if (coupled && tangent.norm() > row.friction * state.z.x())
+        slope.bottomLeftCorner<2, 1>() = (rho * row.friction) * tangent.normalized();
+    const Place place{row.a, row.b, state.edge};
+    addBlocks<3>(place, row.jacobianA.transpose() * slope, row.jacobianB.transpose() * slope, row.jacobianA,
+                 row.jacobianB);
+    if (!(row.rolling > 0)) return;
+
+    const Eigen::Matrix2d rollSlope =
+        discSlope(state.rollZ, row.rolling * state.z.x(), m_kappa * m_units.perMass * row.effectiveInertia);
+    Eigen::Matrix<double, 2, 6> across = Eigen::Matrix<double, 2, 6>::Zero();
+    across.rightCols<3>() = row.frame.bottomRows<2>();
+    const Eigen::Matrix<double, 6, 2> left = across.transpose() * rollSlope;
+    addBlocks<2>(place, -left, left, -across, across);
+    if (!coupled || !(state.rollZ.norm() > row.rolling * state.z.x())) return;
+    const Vec6 torque = across.transpose() * ((rho * row.rolling) * state.rollZ.normalized());
+    addBlocks<1>(place, -torque, torque, row.jacobianA.row(0), row.jacobianB.row(0));
+}
+
+// sᵀ G(v + along s).
+double NewtonSolver::slope(const ContactProblem& problem, double along, double quadratic, double linear) {
+    project(problem, along);
+    m_work += 0.5 * m_rowWork;
+    double sum = linear + along * quadratic;
+    for (const RowState& state : m_rows) {
+        sum -= state.du.dot(state.p.impulse);
+        sum -= state.droll.dot(state.p.rolling);
+    }
+    for (std::size_t i = 0; i < m_springU.size(); ++i) {
+        const SoftRow& row = problem.springs[i];
+        sum += m_springDu[i].dot(row.offset + row.rate.cwiseProduct(m_springU[i] + along * m_springDu[i]));
+    }
+    return sum;
+}
+
+// The step length at which the slope vanishes. Near the solution, differences of the objective are lost in
+// rounding; the slope is not.
+CAROM_WIDE double NewtonSolver::lineSearch(const ContactProblem& problem) {
+    for (std::size_t i = 0; i < m_rows.size(); ++i) {
+        m_rows[i].du = velocityAlong(problem.rows[i], m_step);
+        if (problem.rows[i].rolling > 0) m_rows[i].droll = spinAlong(problem.rows[i], m_step);
+    }
+    for (std::size_t i = 0; i < m_springDu.size(); ++i)
+        m_springDu[i] = velocityAlong(problem.springs[i], m_step);
+    double quadratic = 0, linear = 0, start = 0;
+    for (std::size_t i = 0; i < m_step.size(); ++i) {
+        const ContactBody& body = problem.bodies[i];
+        const Vec6 momentum = momentumOf(body, m_step[i]);
+        quadratic += m_step[i].dot(momentum);
+        linear += momentum.dot(body.velocity - body.freeVelocity);
+        start += m_step[i].dot(m_gradient[i]);
+    }
+
+    const double enough = slopeFall * std::abs(start);
+    double high = 1, slopeHigh = slope(problem, high, quadratic, linear);
+    if (std::abs(slopeHigh) <= enough || !(start < 0)) return 1;
+    double low = 0, slopeLow = start;
+    for (int i = 0; i < mostSlopes && slopeHigh < 0; ++i) { // too short: contacts left or reached their cones
+        low = high;
+        slopeLow = slopeHigh;
+        high *= 2;
+        slopeHigh = slope(problem, high, quadratic, linear);
+        if (std::abs(slopeHigh) <= enough) return high;
+    }
+    // Regula falsi; the slope at an end that is kept twice in a row is halved, or it would be kept for ever
+    // (the Illinois method, M. Dowell, P. Jarratt, "A modified regula falsi method", 1971).
+    int kept = 0; // steps in a row for which low was kept; negative: high
+    for (int i = 0; i < mostSlopes; ++i) {
+        const double width = high - low;
+        const double secant = low - slopeLow * width / (slopeHigh - slopeLow);
+        const double middle = std::clamp(secant, low + 0.01 * width, high - 0.01 * width);
+        const double slopeMiddle = slope(problem, middle, quadratic, linear);
+        if (std::abs(slopeMiddle) <= enough) return middle;
+        if (slopeMiddle < 0) {
+            low = middle;
+            slopeLow = slopeMiddle;
+            kept = std::min(kept, 0) - 1;
+            if (kept < -1) slopeHigh *= 0.5;
+        } else {
+            high = middle;
+            slopeHigh = slopeMiddle;
+            kept = std::max(kept, 0) + 1;
+            if (kept > 1) slopeLow *= 0.5;
+        }
+    }
+    return low > 0 ? low : high;
+}
+
+} // namespace carom
