@@ -29,7 +29,7 @@ constexpr int mostRounds = 8;
 
 // Velocities after `duration` under gravity and the forces of contacts that touch.
 void IslandMotion::solveVelocities(const MotionInput& input, double duration, bool findsImpacts) {
-    m_unsolved = m_turnsTooFar = false;
+    m_unsolved = m_turnsTooFar = m_isColdInVain = false;
     beginPart(input, duration);
     chooseRows(input, duration, findsImpacts);
     solveForces(input, duration);
@@ -165,7 +165,11 @@ void IslandMotion::solve(const MotionInput& input) {
     m_work += solved.work;
     const auto isGood = [&] { return solved.solved || solved.residual <= nearlySolved * m_tolerance; };
     const bool accurate = input.settings.tolerance < accurateTolerance;
-    if (!solved.solved && (accurate || !isGood()) && remaining(input) > 0) solved = solveCold(input, solved);
+    const bool triesAgain = !isGood() || (accurate && !m_isColdInVain);
+    if (!solved.solved && triesAgain && remaining(input) > 0) {
+        solved = solveCold(input, solved);
+        m_isColdInVain = !solved.solved;
+    }
     m_unsolved = m_unsolved || !isGood();
     m_residual = solved.residual;
 }

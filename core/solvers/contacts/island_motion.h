@@ -202,6 +202,7 @@ class IslandMotion {
     std::vector<Uncorrected> m_uncorrected; // by body of the island: before its position was corrected
     bool m_isCorrected = false;             // in this substep
     bool m_unsolved = false;                // the forces of this part were not found
+    bool m_isColdInVain = false;            // forces of this part were not found without a first guess either
     bool m_turnsTooFar = false;             // contacts cannot be followed through this part
     bool m_rollsOn = false;                 // a contact without a force sinks in from the start of this part
     bool m_rattles = false;                 // most of the events of this substep are used up

@@ -134,8 +134,10 @@ void IslandMotion::turnContacts(const MotionInput& input, double duration) {
         }
         const bool isLost = losesPoint(input.bodies);
         losses += isLost ? 1 : 0;
-        m_turnsTooFar = isLost && (losses == mostLosses || change <= m_tolerance);
-        if (m_turnsTooFar || change <= m_tolerance) return;
+        // What a solve leaves, because bounds contradict each other, differs from round to round.
+        const bool isFound = change <= std::max(m_tolerance, m_residual);
+        m_turnsTooFar = isLost && (losses == mostLosses || isFound);
+        if (m_turnsTooFar || isFound) return;
         if (!(change <= mostGrowth * before)) { // the rounds diverge: uses the contacts of the start
             beginPart(input, duration);
             for (std::size_t i = 0; i < m_rowPoint.size(); ++i) placeRow(m_rowPoint[i], m_problem.rows[i]);
