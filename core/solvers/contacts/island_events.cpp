@@ -82,6 +82,7 @@ bool IslandMotion::mayMissImpact(const MotionInput& input, double duration) {
 // substeps to correct that: they turned too far for their contacts, of which no impact was looked for.
 bool IslandMotion::sinkIn(const MotionInput& input, double duration) {
     return std::any_of(m_contacts.pairs.begin(), m_contacts.pairs.end(), [&](const ContactPair& pair) {
+        if (duration * fastestApproach(input, pair) < mostCorrection * pair.size) return false;
         m_work += collideWork(input.bodies, pair);
         ++report.work.pairsCollided;
         return overlapAt(input, pair, duration, duration) > overlapOf(pair) + mostCorrection * pair.size;

@@ -112,6 +112,7 @@ void IslandMotion::move(const MotionInput& input, const Island& island) {
             if (event < (1 - shortestPart) * duration) {
                 duration = std::max(event, shortestPart * input.substep);
                 duration = solvePart(input, duration, findsImpacts);
+                duration = lessSunkIn(input, duration);
                 if (m_rollsOn) longest = 2 * duration;
                 ++events;
                 if (!m_springs.empty()) duration = relocated(input, duration);
@@ -153,6 +154,16 @@ double IslandMotion::solvePart(const MotionInput& input, double duration, bool f
     for (int half = 0; half < mostHalvings && remaining(input) > 0 && isTooLong(); ++half) {
         duration *= 0.5;
         solveVelocities(input, duration, findsImpacts);
+    }
+    return duration;
+}
+
+// A part that ends at an event has other forces than the one that the event was found in: where bodies come
+// to lie deep in each other by them it is halved.
+double IslandMotion::lessSunkIn(const MotionInput& input, double duration) {
+    for (int half = 0; half < mostHalvings && !m_unsolved && remaining(input) > 0; ++half) {
+        if (!sinkIn(input, duration)) break;
+        duration = solvePart(input, 0.5 * duration, true);
     }
     return duration;
 }

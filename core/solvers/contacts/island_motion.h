@@ -115,6 +115,7 @@ class IslandMotion {
     void impacts(const MotionInput& input, double duration, bool findsImpacts);
     void solveVelocities(const MotionInput& input, double duration, bool findsImpacts);
     double solvePart(const MotionInput& input, double duration, bool findsImpacts);
+    double lessSunkIn(const MotionInput& input, double duration);
     void beginPart(const MotionInput& input, double duration);
     Vec3 endMomentum(std::size_t body) const;
     void chooseRows(const MotionInput& input, double duration, bool findsImpacts);
