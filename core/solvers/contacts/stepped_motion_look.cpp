@@ -30,6 +30,7 @@ void SteppedMotion::look(const SteppedInput& input, double duration, Manifolds& 
     if (wakeStruck(input, manifolds)) {
         findMoving();
         noteTravel(input, duration); // with the same poses
+        forgetMoved();               // nor have those that move on
         findContacts(input, duration, manifolds, report);
     }
     m_arePartsFound = false;
