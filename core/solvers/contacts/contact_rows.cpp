@@ -169,11 +169,11 @@ struct Frames {
     }
 };
 
-/// Four doubles of each lane, from double number `offset` of its point `k` on.
-CAROM_INLINE void gatherPoint(const std::array<CarriedPoint*, wideLanes>& first, std::size_t k,
-                              std::size_t offset, std::array<Wide, 4>& to) {
+/// Four doubles of each lane, from double number `offset` of its point on.
+CAROM_INLINE void gatherPoint(const std::array<CarriedPoint*, wideLanes>& points, std::size_t offset,
+                              std::array<Wide, 4>& to) {
     for (std::size_t lane = 0; lane < wideLanes; ++lane)
-        __builtin_memcpy(&to[lane], first[lane][k].onA.data() + offset, sizeof(Wide));
+        __builtin_memcpy(&to[lane], points[lane]->onA.data() + offset, sizeof(Wide));
     transpose(to[0], to[1], to[2], to[3]);
 }
 
@@ -193,9 +193,9 @@ CAROM_WIDE double fillRows(std::span<RowGroup> groups, std::span<const CarriedGr
         const Wide3 between = b.centre - a.centre;
         for (std::uint32_t k = 0; k < group.points; ++k) {
             std::array<Wide, 4> one, two, three; // Ax Ay Az Bx, By Bz .. Fx, .. Fx Fy Fz; B overlaps
-            gatherPoint(from.first, k, 0, one);
-            gatherPoint(from.first, k, 3, two);
-            gatherPoint(from.first, k, 5, three);
+            gatherPoint(from.points[k], 0, one);
+            gatherPoint(from.points[k], 3, two);
+            gatherPoint(from.points[k], 5, three);
             const Wide3 onA = a.turn({one[0], one[1], one[2]}), onB = b.turn({two[0], two[1], two[2]});
             const Wide3 gap = between + onB - onA, part = from.middle * gap;
             RowPoint& row = points[group.firstPoint + k];
@@ -224,7 +224,7 @@ CAROM_WIDE void storeRows(std::span<const RowGroup> groups, std::span<const Carr
             std::array<Wide, 4> lanes{force.x, force.y, force.z, Wide{}};
             transpose(lanes[0], lanes[1], lanes[2], lanes[3]);
             for (std::size_t lane = 0; lane < wideLanes; ++lane)
-                __builtin_memcpy(carried[i].first[lane][k].force.data(), &lanes[lane], sizeof(Vec3));
+                __builtin_memcpy(carried[i].points[k][lane]->force.data(), &lanes[lane], sizeof(Vec3));
         }
     }
 }
@@ -277,7 +277,7 @@ LanePacker::Place ContactRows::placeCarried(std::uint32_t a, std::uint32_t b, st
     const LanePacker::Place place = this->place(a, b, points, source);
     if (!place.isNew) return place;
     CarriedGroup& carried = m_carried.emplace_back();
-    carried.first.fill(m_none.data());
+    for (auto& lanes : carried.points) lanes.fill(&m_none);
     carried.count = carried.middle = Wide{};
     return place;
 }
@@ -297,7 +297,7 @@ void ContactRows::setCarried(const LanePacker::Place& place, const PairInput& pa
     set(place, pair);
     CarriedGroup& carried = m_carried[place.group];
     const std::size_t lane = place.lane;
-    carried.first[lane] = points.first;
+    for (std::size_t k = 0; k < points.count; ++k) carried.points[k][lane] = points.points[k];
     carried.frameA[lane] = points.frameA;
     carried.frameB[lane] = points.frameB;
     carried.count[lane] = static_cast<double>(points.count);
@@ -358,7 +358,7 @@ void ContactRows::remove(std::uint32_t group, std::uint32_t lane) {
     RowGroup& of = m_groups[group];
     of.source[lane] = noPair;
     for (std::uint32_t k = 0; k < of.points; ++k) clearLane(m_points[of.firstPoint + k], lane);
-    if (group < m_carried.size()) m_carried[group].first[lane] = m_none.data();
+    carry(group, lane, {});
     RollingRow* row = rollingOf(group, lane);
     if (row == nullptr) return;
     *row = m_rolling.back();
@@ -383,6 +383,20 @@ void ContactRows::replace(std::uint32_t group, std::uint32_t lane, const PairInp
         row->inertia = rollingInertia(bodies[pair.a], bodies[pair.b], pair.normal);
         row->torque = pair.torque - pair.normal.dot(pair.torque) * pair.normal;
     }
+}
+
+void ContactRows::carry(std::uint32_t group, std::uint32_t lane, std::span<CarriedPoint> points) {
+    if (group >= m_carried.size()) return;
+    for (std::size_t k = 0; k < mostRowPoints; ++k)
+        m_carried[group].points[k][lane] = k < points.size() ? &points[k] : &m_none;
+}
+
+bool ContactRows::storeForces(std::uint32_t group, std::uint32_t lane, double duration) const {
+    if (group >= m_carried.size()) return false;
+    const RowGroup& of = m_groups[group];
+    for (std::uint32_t k = 0; k < of.points; ++k)
+        m_carried[group].points[k][lane]->force = impulseOf(of, static_cast<int>(lane), k) / duration;
+    return true;
 }
 
 void ContactRows::addRolling(const PairInput& pair, const LanePacker::Place& place,

@@ -55,9 +55,11 @@ struct alignas(32) BodyFrame {
     }
 };
 
-/// The points of a pair that are carried; there is room for four, whatever their number.
+inline constexpr std::size_t mostRowPoints = 4; ///< of a pair
+
+/// The points of a pair that are carried.
 struct CarriedPoints {
-    CarriedPoint* first = nullptr;
+    std::array<CarriedPoint*, mostRowPoints> points{};
     std::size_t count = 0;
     std::uint32_t frameA = 0, frameB = 0; ///< indices of frames
     double middle = 0; ///< impulses act in this part of the gap from either body: ½ in the middle, 0 on the
@@ -111,7 +113,7 @@ struct alignas(32) RowGroup {
 
 /// The carried points of the pairs of a group.
 struct alignas(32) CarriedGroup {
-    std::array<CarriedPoint*, wideLanes> first{};
+    std::array<std::array<CarriedPoint*, wideLanes>, mostRowPoints> points{}; ///< of lanes without: unused
     std::array<std::uint32_t, wideLanes> frameA{}, frameB{};
     Wide count, middle;
 };
@@ -178,6 +180,11 @@ class ContactRows {
     Vec3 torqueOf(std::uint32_t group, std::uint32_t lane);
     /// A pair that has rows has none from now on.
     void remove(std::uint32_t group, std::uint32_t lane);
+    /// A pair that has rows of carried points has these from now on; without effect on rows of others.
+    void carry(std::uint32_t group, std::uint32_t lane, std::span<CarriedPoint> points);
+    /// Carried points of one pair get the forces that their impulses are over `duration` [s]. False if the
+    /// rows of this pair are not of carried points.
+    bool storeForces(std::uint32_t group, std::uint32_t lane, double duration) const;
     /// Carried points get the forces that their impulses are over `duration` [s].
     void storeForces(double duration, Workers& workers = Workers::alone()) const;
     /// The groups from here on have no carried points.
@@ -208,7 +215,7 @@ class ContactRows {
     std::vector<RowPoint> m_points;
     std::size_t m_pointCount = 0;        // of m_points; others are of earlier rows
     std::vector<CarriedGroup> m_carried; // by group, of the first ones
-    std::array<CarriedPoint, 4> m_none;  // of an empty lane
+    CarriedPoint m_none;                 // of an empty lane
     std::vector<RollingRow> m_rolling;
     std::vector<std::uint32_t> m_rollingOf; // by 4 group + lane: in m_rolling, or noPair
     std::size_t m_rollingNoted = 0;         // so many of m_rolling are in m_rollingOf

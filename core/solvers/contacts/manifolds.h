@@ -27,6 +27,9 @@
 //     forces     points within 5 % of the size of an old one, on B, begin with its force; the torque of
 //                rolling resistance is kept, too
 //
+// A contact is found with a wide margin, so that it is found seldom. Of its points those need rows that the
+// two may close within the substep (nearPoints): in a heap of cuboids that is about half of them.
+//
 // For two spheres only the force is carried: their contact is computed each time, with the normal that they
 // will have when they meet within the substep, or at their closest approach.
 //
@@ -112,6 +115,9 @@ bool updateManifold(const ManifoldInput& input, double margin, PersistentManifol
 /// Manifolds that one thread updates at least; one takes .1 to 1 us. At half, waking a thread costs nearly
 /// what it saves; at twice, islands of some hundred pairs are updated by one.
 inline constexpr std::size_t fewManifolds = 128;
+/// The points of a manifold that may touch within the substep as the two move, if nothing strikes them: bit k
+/// of point k. The deepest one always counts as such.
+unsigned nearPoints(const ManifoldInput& input, const PersistentManifold& manifold);
 /// Updates an open manifold to the present poses, for bodies that were struck; it is no longer open. False,
 /// and still open, if they are further apart than `margin` [m].
 bool closeManifold(const ManifoldInput& input, double margin, PersistentManifold& manifold);

@@ -256,7 +256,7 @@ class SteppedMotion {
     struct Seen {
         std::uint32_t number = 0;   ///< in m_general
         std::uint32_t a = 0, b = 0; ///< of the solve, of one in contact
-        std::uint8_t count = 0;     ///< points of such a one
+        std::uint8_t near = 0;      ///< points of such a one that may touch (nearPoints)
         bool isRound = false;
         bool hasPoints = false;
         bool isTouching = false;
@@ -267,6 +267,7 @@ class SteppedMotion {
         LanePacker::Place place;
         std::uint32_t entry = 0;
         std::uint32_t frameA = 0, frameB = 0; ///< into m_frames
+        std::uint8_t near = 0;                ///< as in Seen
     };
     /// A body whose frame rows need.
     struct Framed {

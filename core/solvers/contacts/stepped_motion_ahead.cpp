@@ -161,8 +161,12 @@ bool SteppedMotion::findAnew(const SteppedInput& input, const ManifoldInput& the
         m_addedRows.push_back(m_rows.add(rowOf(there.bodies, entry, contact), entry, m_bodies));
         return true;
     }
-    for (std::size_t k = 0; k < static_cast<std::size_t>(manifold.count); ++k)
-        manifold.points[k].force = m_rows.impulseOf(of, static_cast<int>(lane), k) / m_step;
+    const auto points = [&] {
+        return std::span(manifold.points).first(static_cast<std::size_t>(manifold.count));
+    };
+    if (!m_rows.storeForces(group, lane, m_step))
+        for (std::size_t k = 0; k < points().size(); ++k)
+            points()[k].force = m_rows.impulseOf(of, static_cast<int>(lane), k) / m_step;
     manifold.torque = m_rows.torqueOf(group, lane) / m_step;
     closeManifold(there, m_entries[entry].margin, manifold);
     PlacedManifold contact = placedAtLook(there, manifold);
@@ -171,6 +175,7 @@ bool SteppedMotion::findAnew(const SteppedInput& input, const ManifoldInput& the
     const PairInput pair = rowOf(there.bodies, entry, contact);
     if (pair.points.size() <= of.points) {
         m_rows.replace(group, lane, pair, m_bodies);
+        m_rows.carry(group, lane, points());
     } else {
         m_rows.remove(group, lane);
         m_rows.add(pair, entry, m_bodies);

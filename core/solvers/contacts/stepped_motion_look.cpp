@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <bit>
 #include <cstdint>
 #include <utility>
 
@@ -146,7 +147,7 @@ SteppedMotion::Seen SteppedMotion::see(const ManifoldInput& here, std::uint32_t 
             return {.number = number,
                     .a = a,
                     .b = b,
-                    .count = static_cast<std::uint8_t>(manifold.count),
+                    .near = static_cast<std::uint8_t>(nearPoints(here, manifold)),
                     .isRound = manifold.round,
                     .hasPoints = manifold.count > 0,
                     .isTouching = manifold.count > 0};
@@ -182,8 +183,10 @@ void SteppedMotion::addRows(const ManifoldInput& here, Manifolds& manifolds, Wor
             const Seen& seen = m_touching[i];
             const std::uint32_t entry = m_general[seen.number];
             const auto [a, b] = m_entries[entry].pair;
-            m_placed.push_back({m_rows.placeCarried(seen.a, seen.b, seen.count, entry), entry,
-                                frameOf(a, seen.a, !seen.isRound), frameOf(b, seen.b, !seen.isRound)});
+            const std::size_t count = static_cast<std::size_t>(std::popcount(seen.near));
+            m_placed.push_back({m_rows.placeCarried(seen.a, seen.b, count, entry), entry,
+                                frameOf(a, seen.a, !seen.isRound), frameOf(b, seen.b, !seen.isRound),
+                                seen.near});
         },
         [this](std::size_t phase) { m_rows.endSection(phase); });
     for (const Framed& framed : m_framed) m_frameOf[m_local[framed.body]] = BallRows::noPair;
@@ -255,12 +258,13 @@ void SteppedMotion::setRow(const ManifoldInput& here, const Placed& placed, Mani
     const auto [a, b] = manifold.pair;
     const bool isBetween = here.bodies.mobile[a] != 0 && here.bodies.mobile[b] != 0 &&
                            !(isSphere(here.bodies, a) && isSphere(here.bodies, b));
-    m_rows.setCarried(placed.place, rowOf(here, placed.entry, manifold),
-                      {.first = manifold.points.data(),
-                       .count = static_cast<std::size_t>(manifold.count),
-                       .frameA = placed.frameA,
-                       .frameB = placed.frameB,
-                       .middle = isBetween ? 0.5 : 0});
+    CarriedPoints points{.frameA = placed.frameA, .frameB = placed.frameB, .middle = isBetween ? 0.5 : 0};
+    for (std::size_t k = 0; k < static_cast<std::size_t>(manifold.count); ++k)
+        if ((placed.near >> k & 1U) != 0)
+            points.points[points.count++] = &manifold.points[k];
+        else
+            manifold.points[k].force.setZero(); // what touches again begins without a force
+    m_rows.setCarried(placed.place, rowOf(here, placed.entry, manifold), points);
 }
 
 void SteppedMotion::noteTravel(const SteppedInput& input, double duration) {

@@ -313,8 +313,10 @@ class ContactRowsTest : public QObject {
                     deepest = std::max(deepest, -pair.points[k].separation);
                 }
                 PairInput laws = pair.laws;
-                rows.add(laws, {carried[i].data(), pair.points.size(), a, b, middle},
-                         static_cast<std::uint32_t>(i), scene.bodies);
+                CarriedPoints points{.frameA = a, .frameB = b, .middle = middle};
+                for (; points.count < pair.points.size(); ++points.count)
+                    points.points[points.count] = &carried[i][points.count];
+                rows.add(laws, points, static_cast<std::uint32_t>(i), scene.bodies);
                 pair.laws.torque *= duration;
             }
             QVERIFY(std::abs(rows.end(scene.bodies, frames, duration) - deepest) < roundingOfRows);

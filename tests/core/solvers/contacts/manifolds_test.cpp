@@ -16,6 +16,7 @@
 #include <QTest>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -407,6 +408,42 @@ class ManifoldsTest : public QObject {
         qInfo("%d pairs open, %d of them touched", open, touched);
         QVERIFY(open > 50);
         QCOMPARE(touched, 0);
+    }
+
+    // Points left out stay apart on the way of both through the substep, alone in the world.
+    void pointsThatMayTouchAreNear() {
+        Random random(test::seed, 21);
+        int left = 0, kept = 0;
+        for (int trial = 0; trial < 300; ++trial)
+            for (auto [a, b] : carriedPairs(random)) {
+                b = turnedBy(b, uniformIn(random, 0.2));
+                for (Body* body : {&a, &b}) {
+                    body->velocity = uniformIn(random, 2);
+                    body->angularVelocity = uniformIn(random, 2);
+                }
+                Two two(a, b);
+                two.update();
+                if (two.manifold.count == 0 || two.manifold.open) continue;
+                const unsigned near = nearPoints(two.input, two.manifold);
+                QVERIFY(near != 0);
+                std::array<double, manifoldPoints> least{1, 1, 1, 1};
+                for (int step = 0; step < 10; ++step) {
+                    for (const BodyIndex i : {0U, 1U})
+                        if (two.bodies.mobile[i] != 0)
+                            two.moveBy(i, 0.1 * duration * two.state.velocity[i],
+                                       0.1 * duration * two.state.angularVelocity[i]);
+                    const PlacedManifold now = placed(two.input, two.manifold);
+                    for (std::size_t k = 0; k < least.size(); ++k)
+                        least[k] = std::min(least[k], now.points[k].separation);
+                }
+                for (unsigned k = 0; k < static_cast<unsigned>(two.manifold.count); ++k) {
+                    const bool isNear = (near >> k & 1U) != 0;
+                    ++(isNear ? kept : left);
+                    QVERIFY(isNear || least[k] > 0);
+                }
+            }
+        qInfo("%d points near, %d left out", kept, left);
+        QVERIFY(left > 100 && kept > 100);
     }
 
     // What counts is how fast they close the gap between them, not how fast they move.
