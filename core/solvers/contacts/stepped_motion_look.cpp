@@ -77,7 +77,7 @@ void SteppedMotion::forgetMoved() {
         m_moved[i] = {};
         m_struck[i] = 0;
     }
-    m_seenTurn.assign(m_bodies.size(), Vec3::Zero()); // bodies may move on before the next look
+    for (const std::uint32_t i : m_moving.paired) m_seenTurn[i] = Vec3::Zero();
 }
 
 void SteppedMotion::findContacts(const SteppedInput& input, double duration, Manifolds& manifolds,
