@@ -122,7 +122,7 @@ class ObviousContacts {
             gap += n.dot(vectorOf(b.shift) + vectorOf(b.turn).cross(point.armB) - vectorOf(a.shift) -
                          vectorOf(a.turn).cross(point.armA));
         }
-        double bias = 0, part = 1, decay = 0;
+        double bias = 0, part = 1, given = 0;
         if (gap > 0) {
             bias = gap / h;
         } else if (kind == Pass::Feedback) { // a damped spring, implicit
@@ -132,13 +132,14 @@ class ObviousContacts {
             const double k = h * omega * (2 * damping + h * omega);
             bias = std::max(rate * gap, -point.push);
             part = k / (1 + k);
-            decay = 1 / (1 + k);
+            given = std::min(point.normalImpulse / (1 + k),
+                             rate * settings.yield * point.push * part * point.massNormal);
         }
         if (kind == Pass::Rebound && point.approach > 0 && point.normalImpulse > 0)
             bias = -point.restitution * point.approach;
         u = velocityOf(point);
         const double old = point.normalImpulse;
-        double normal = std::max(0.0, old - part * point.massNormal * (n.dot(u) + bias) - decay * old);
+        double normal = std::max(0.0, old - part * point.massNormal * (n.dot(u) + bias) - given);
         if (kind != Pass::Feedback && gap > 0 && old == 0) normal = 0;
         apply(point, (normal - old) * n);
 

@@ -8,9 +8,10 @@
 
 namespace carom {
 
-/// rate, c and d of the head comment.
+/// rate, c, d and rate y of the head comment.
 struct Softness {
     Wide rate, part, decay;
+    Wide yield; ///< rate y
 };
 
 /// The same for contacts with what cannot move, and for those between two that can, which are half as hard.
@@ -22,7 +23,8 @@ CAROM_INLINE Softness softnessOf(double stiffness, const StepSettings& settings)
     constexpr double turn = 6.283185307179586;
     const double angle = 2 * turn * settings.hardness * stiffness; // h ω
     const double sum = 2 * settings.damping + angle, k = angle * sum, decay = 1 / (1 + k);
-    return {wideOf(angle / (sum * settings.duration)), wideOf(k * decay), wideOf(decay)};
+    return {wideOf(angle / (sum * settings.duration)), wideOf(k * decay), wideOf(decay),
+            wideOf(angle / (sum * settings.duration) * settings.yield)};
 }
 
 CAROM_INLINE Softnesses softnessesOf(const StepSettings& settings) {
@@ -32,7 +34,7 @@ CAROM_INLINE Softnesses softnessesOf(const StepSettings& settings) {
 CAROM_INLINE Softness select(const Wide& hard, const Softnesses& both) {
     const auto isHard = hard > Wide{};
     return {isHard ? both.hard.rate : both.soft.rate, isHard ? both.hard.part : both.soft.part,
-            isHard ? both.hard.decay : both.soft.decay};
+            isHard ? both.hard.decay : both.soft.decay, isHard ? both.hard.yield : both.soft.yield};
 }
 
 enum class Pass { Feedback, Relax, Rebound };
@@ -52,17 +54,19 @@ CAROM_INLINE Wide3 solvePoint(const Wide3& velocity, const Wide& gap, const Grou
 
     Wide speed = velocity.x;
     if constexpr (requires { row.coupling1; }) speed = speed + row.coupling1 * d1 + row.coupling2 * d2;
-    Wide bias, share = one, decay = zero;
+    Wide bias, share = one, given = zero;
     if constexpr (pass == Pass::Feedback) {
         bias = gap > zero ? gap * perDuration : larger(soft.rate * gap, -group.push);
         share = gap > zero ? one : soft.part;
-        decay = gap > zero ? zero : soft.decay;
+        given = gap > zero ? zero
+                           : smaller(soft.decay * row.normal,
+                                     soft.yield * group.push * (row.massNormal * soft.part));
     } else {
         bias = gap > zero ? gap * perDuration : zero;
     }
     if constexpr (pass == Pass::Rebound)
         bias = (row.approach > zero) & (row.normal > zero) ? -group.restitution * row.approach : bias;
-    const Wide wanted = row.normal - row.massNormal * share * (speed + bias) - decay * row.normal;
+    const Wide wanted = row.normal - row.massNormal * share * (speed + bias) - given;
     Wide normal = larger(wanted, zero);
     if constexpr (pass != Pass::Feedback) // impulses of open contacts are left to the next step
         normal = (gap > zero) & (row.normal == zero) ? zero : normal;

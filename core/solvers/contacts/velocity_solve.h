@@ -23,17 +23,19 @@
 //     legend   u = vB + ωB × rB − vA − ωA × rA   velocity of B's point relative to A's
 //              s = s₀ + n · (displacement of B's point less A's)         separation
 //     friction (first)   pₜ ← the nearest point of the disc of radius μ pₙ to pₜ − mₜ uₜ
-//     normal             pₙ ← max(0, pₙ − c mₙ (uₙ + b) − d pₙ),  uₙ after the change by friction
-//              s > 0     b = s/h, c = 1, d = 0
-//              s ≤ 0     b = max(rate s, −push), c and d those of a damped spring of angular frequency
+//     normal             pₙ ← max(0, pₙ − c mₙ (uₙ + b) − f),  uₙ after the change by friction
+//              s > 0     b = s/h, c = 1, f = 0
+//              s ≤ 0     b = max(rate s, −push), c and f = d pₙ those of a damped spring of angular frequency
 //                        ω = 2π hardness/h and damping ratio ζ, implicit:
-//                        rate = ω/(2ζ + hω),  c = k/(1 + k),  d = 1/(1 + k),  k = hω (2ζ + hω)
+//                        rate = ω/(2ζ + hω),  c = k/(1 + k),  d = 1/(1 + k),  k = hω (2ζ + hω);
+//                        but f ≤ c mₙ rate y push
 //     relax    s > 0 as above, and no change if pₙ is 0: the next step treats the contact; else b = 0, c = 1,
-//              d = 0
+//              f = 0
 //     rebound  as relax, and b = −e times the closing speed if that was stored and pₙ > 0
 //
 // Limits: the residual falls slowly in tall stacks and for large ratios of masses. Bodies at rest overlap: in
-// a contact that carries n bodies by about 2 n g h²/(hω)². So ω is as large as stacks allow. One pass removes
+// a contact that carries n times the mass of the lighter one by about 2 n g h²/(hω)², and by no more than
+// y push, where the spring would give way further. So ω is as large as stacks allow. One pass removes
 // only a small part of the slow modes of a stack, and feedback must add less than that part, or they grow. In
 // a column of n balls a pass takes E = (π/2n)² of the error of the slowest mode, and feedback the part r = h
 // rate of a gap: motion is
@@ -62,6 +64,8 @@ struct StepSettings {
     /// fewer balls sway (E > r/4 above).
     double damping = 10;
     double resting = 0; ///< closing speeds up to this do not rebound [m/s]
+    /// y [s]; by default springs give way as they do.
+    double yield = 1e30;
 };
 
 /// Stores the closing speeds of rows without an impulse. True if there are any.

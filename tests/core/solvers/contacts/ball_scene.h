@@ -371,7 +371,8 @@ StepSettings randomSettings(Random& random, double duration) {
     return {.duration = duration,
             .hardness = random.uniform(0.05, 0.3),
             .damping = random.uniform(0.5, 10),
-            .resting = random.uniform(0, 0.1)};
+            .resting = random.uniform(0, 0.1),
+            .yield = duration / 4};
 }
 
 } // namespace

@@ -161,7 +161,8 @@ class VelocitySolveTest : public QObject {
             const StepSettings settings{.duration = random.uniform(0.001, 0.02),
                                         .hardness = random.uniform(0.05, 0.3),
                                         .damping = random.uniform(0.5, 10),
-                                        .resting = random.uniform(0, 0.1)};
+                                        .resting = random.uniform(0, 0.1),
+                                        .yield = random.uniform(0, 0.01)};
             const auto agrees = [&](double within) {
                 return test::largestDifference(scene.bodies, expected.bodies) < within &&
                        largestDifference(rows, expected) < within;
