@@ -128,7 +128,10 @@ class ObviousContacts {
         } else if (kind == Pass::Feedback) { // a damped spring, implicit
             const double angle = 2 * std::numbers::pi * settings.hardness * (point.hard ? 2 : 1);
             const double omega = angle / h, damping = settings.damping;
-            const double rate = omega / (2 * damping + h * omega);
+            const double easy = 10 * settings.fall + 0.5 * point.push;
+            const double rate =
+                omega / (2 * damping + h * omega) *
+                std::min(1.0, point.massNormal * easy / std::max(point.normalImpulse, 1e-300));
             const double k = h * omega * (2 * damping + h * omega);
             bias = std::max(rate * gap, -point.push);
             part = k / (1 + k);

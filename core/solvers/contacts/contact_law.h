@@ -8,10 +8,14 @@
 
 namespace carom {
 
-/// rate, c, d and rate y of the head comment.
+/// The w of the head comment, of what gravity adds to a velocity, and of `push`. At twice, a plate swings on
+/// bodies of a thousandth of its mass; at half, it takes twice as long to be lifted where it has sunk in.
+inline constexpr double easyFalls = 10, easyPush = 0.5;
+
+/// rate, c and d of the head comment, and what bounds them.
 struct Softness {
     Wide rate, part, decay;
-    Wide yield; ///< rate y
+    Wide yield, easy; ///< y [s], 10 |g| h [m/s]
 };
 
 /// The same for contacts with what cannot move, and for those between two that can, which are half as hard.
@@ -24,7 +28,7 @@ CAROM_INLINE Softness softnessOf(double stiffness, const StepSettings& settings)
     const double angle = 2 * turn * settings.hardness * stiffness; // h ω
     const double sum = 2 * settings.damping + angle, k = angle * sum, decay = 1 / (1 + k);
     return {wideOf(angle / (sum * settings.duration)), wideOf(k * decay), wideOf(decay),
-            wideOf(angle / (sum * settings.duration) * settings.yield)};
+            wideOf(settings.yield), wideOf(easyFalls * settings.fall)};
 }
 
 CAROM_INLINE Softnesses softnessesOf(const StepSettings& settings) {
@@ -34,7 +38,14 @@ CAROM_INLINE Softnesses softnessesOf(const StepSettings& settings) {
 CAROM_INLINE Softness select(const Wide& hard, const Softnesses& both) {
     const auto isHard = hard > Wide{};
     return {isHard ? both.hard.rate : both.soft.rate, isHard ? both.hard.part : both.soft.part,
-            isHard ? both.hard.decay : both.soft.decay, isHard ? both.hard.yield : both.soft.yield};
+            isHard ? both.hard.decay : both.soft.decay, both.soft.yield, both.soft.easy};
+}
+
+/// e rate of the head comment.
+template<class Group, class Row>
+CAROM_INLINE Wide rateOf(const Softness& soft, const Group& group, const Row& row) {
+    const Wide easy = row.massNormal * (soft.easy + wideOf(easyPush) * group.push);
+    return easy < row.normal ? soft.rate * easy / row.normal : soft.rate;
 }
 
 enum class Pass { Feedback, Relax, Rebound };
@@ -56,11 +67,12 @@ CAROM_INLINE Wide3 solvePoint(const Wide3& velocity, const Wide& gap, const Grou
     if constexpr (requires { row.coupling1; }) speed = speed + row.coupling1 * d1 + row.coupling2 * d2;
     Wide bias, share = one, given = zero;
     if constexpr (pass == Pass::Feedback) {
-        bias = gap > zero ? gap * perDuration : larger(soft.rate * gap, -group.push);
+        const Wide rate = rateOf(soft, group, row);
+        bias = gap > zero ? gap * perDuration : larger(rate * gap, -group.push);
         share = gap > zero ? one : soft.part;
         given = gap > zero ? zero
                            : smaller(soft.decay * row.normal,
-                                     soft.yield * group.push * (row.massNormal * soft.part));
+                                     rate * soft.yield * group.push * (row.massNormal * soft.part));
     } else {
         bias = gap > zero ? gap * perDuration : zero;
     }
@@ -91,7 +103,7 @@ CAROM_INLINE Wide3 solvePoint(const Wide3& velocity, const Wide& gap, const Grou
 template<class Group, class Row>
 CAROM_INLINE void addCorrection(const Group& group, const Row& row, const Wide& gap,
                                 const Softnesses& softness, std::span<double> to) {
-    const Wide zero{}, wanted = -select(group.hard, softness).rate * gap;
+    const Wide zero{}, wanted = -rateOf(select(group.hard, softness), group, row) * gap;
     const Wide added = row.normal * (gap < zero ? smaller(wanted, group.push) : zero);
     for (std::size_t lane = 0; lane < wideLanes; ++lane)
         to[std::max(group.a[lane], group.b[lane])] += added[lane];

@@ -295,7 +295,8 @@ void SteppedMotion::step(const SteppedInput& input, double duration, Manifolds& 
     const StepSettings settings{.duration = duration,
                                 .hardness = StepSettings{}.hardness * duration / whole,
                                 .resting = 2 * fall.norm(),
-                                .yield = mostSag / mostCorrection * m_substep};
+                                .yield = mostSag / mostCorrection * m_substep,
+                                .fall = fall.norm()};
     const bool ballsBounce = m_balls.recordApproach(m_bodies, settings, input.workers);
     const bool bounces = recordApproach(m_rows, m_bodies, settings, input.workers) || ballsBounce;
     forAwake(input.workers, [&](std::uint32_t i) {

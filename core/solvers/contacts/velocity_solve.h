@@ -25,10 +25,10 @@
 //     friction (first)   pₜ ← the nearest point of the disc of radius μ pₙ to pₜ − mₜ uₜ
 //     normal             pₙ ← max(0, pₙ − c mₙ (uₙ + b) − f),  uₙ after the change by friction
 //              s > 0     b = s/h, c = 1, f = 0
-//              s ≤ 0     b = max(rate s, −push), c and f = d pₙ those of a damped spring of angular frequency
-//                        ω = 2π hardness/h and damping ratio ζ, implicit:
+//              s ≤ 0     b = max(e rate s, −push), c and f = d pₙ those of a damped spring of angular
+//                        frequency ω = 2π hardness/h and damping ratio ζ, implicit:
 //                        rate = ω/(2ζ + hω),  c = k/(1 + k),  d = 1/(1 + k),  k = hω (2ζ + hω);
-//                        but f ≤ c mₙ rate y push
+//                        but f ≤ c mₙ e rate y push, and e = min(1, mₙ w/pₙ), w = 10 |g| h + push/2
 //     relax    s > 0 as above, and no change if pₙ is 0: the next step treats the contact; else b = 0, c = 1,
 //              f = 0
 //     rebound  as relax, and b = −e times the closing speed if that was stored and pₙ > 0
@@ -40,9 +40,11 @@
 // a column of n balls a pass takes E = (π/2n)² of the error of the slowest mode, and feedback the part r = h
 // rate of a gap: motion is
 //     s³ + 2E s² + (2 + r) E s + r E = 0  (per step),
-// which decays for E > r/4 (Routh). Bodies that stand on faces sway, too, and that is solved more slowly. The
-// spectral radius of a step of n cubes on each other, four points a face, three rows a point, all of them
-// sticking, computed from the step as it is above (n = 4, 6, 8; ζ = 10):
+// which decays for E > r/4 (Routh). Of the speed of a heavy body on a light one a pass takes about the part
+// E = mₙ |g| h/pₙ, so where pₙ is that large feedback is made less, by e. Bodies that stand on faces sway,
+// too, and that is solved more slowly. The spectral radius of a step of n cubes on each other, four points a
+// face, three rows a point, all of them sticking, computed from the step as it is above (n = 4, 6, 8; ζ =
+// 10):
 //
 //     hardness    one pass from the top   one from the ground   two from the top     there and back
 //     .18         .987   .990   .995      .999   .993   .992    .970   .972   .992   .993   .988   .991
@@ -66,6 +68,7 @@ struct StepSettings {
     double resting = 0; ///< closing speeds up to this do not rebound [m/s]
     /// y [s]; by default springs give way as they do.
     double yield = 1e30;
+    double fall = 0; ///< |g| h [m/s]
 };
 
 /// Stores the closing speeds of rows without an impulse. True if there are any.

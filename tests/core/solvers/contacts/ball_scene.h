@@ -372,7 +372,8 @@ StepSettings randomSettings(Random& random, double duration) {
             .hardness = random.uniform(0.05, 0.3),
             .damping = random.uniform(0.5, 10),
             .resting = random.uniform(0, 0.1),
-            .yield = duration / 4};
+            .yield = duration / 4,
+            .fall = 10 * duration};
 }
 
 } // namespace

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/constants.h"
+#include "tests/support/contact_scenes.h"
 #include "tests/support/scenes.h"
 #include "tests/support/test_class.h"
 
 #include "core/dynamics/energy.h"
 #include "core/dynamics/spring_force.h"
 #include "core/math/random.h"
+#include "core/solvers/contacts/contact_settings.h"
 #include "core/solvers/contacts/stepped_motion.h"
 
 #include <QTest>
@@ -194,6 +196,43 @@ class SteppedMotionTest : public QObject {
                                     .arg(fastest / fall)
                                     .arg(part)));
         }
+    }
+
+    // A contact gives way as much as the lighter of its bodies says, which is far too much under one that is
+    // a thousand times as heavy: it sank into a pebble by half of its size, and stayed there.
+    void noLoadPressesAContactInByMoreThanAPart() {
+        constexpr double size = 0.04; // of four bodies that carry a plate [m]
+        for (const bool areBalls : {false, true})
+            for (const double ratio : {1.0, 30.0, 300.0, 1000.0}) {
+                if (areBalls && ratio > 300) continue; // the plate would roll off them
+                Scene scene = test::sceneOf({test::floorOf(0.5)});
+                for (const double x : {-0.1, 0.1})
+                    for (const double z : {-0.1, 0.1}) {
+                        const Vec3 place(x, size / 2, z);
+                        scene.bodies.push_back(
+                            test::rough(areBalls ? test::sphere(size / 2, 0.02, place)
+                                                 : test::cuboid(Vec3::Constant(size), 0.02, place),
+                                        0.5));
+                    }
+                scene.bodies.push_back(
+                    test::rough(test::cuboid({0.3, size, 0.3}, 0.08 * ratio, {0, 1.5 * size, 0}), 0.5));
+                FewBodies path(scene);
+                path.gravity = test::downwards();
+                path.enter();
+                for (int n = 0; n < 4000; ++n) path.stepOn();
+                for (BodyIndex i = 1; i <= 4; ++i) {
+                    const double carrier = path.state.pose[i].position.y();
+                    const double overlaps[] = {size / 2 - carrier,
+                                               carrier + size - path.state.pose[5].position.y()};
+                    for (const double overlap : overlaps)
+                        QVERIFY2(
+                            overlap < 1.02 * mostSag * size,
+                            qPrintable(QStringLiteral("%1 of the size under %2 times the mass, balls: %3")
+                                           .arg(overlap / size)
+                                           .arg(ratio)
+                                           .arg(areBalls)));
+                }
+            }
     }
 
     // Pairs that are apart are left alone until they may meet: one that stays for many substeps meets when

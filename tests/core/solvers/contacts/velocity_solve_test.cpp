@@ -162,7 +162,8 @@ class VelocitySolveTest : public QObject {
                                         .hardness = random.uniform(0.05, 0.3),
                                         .damping = random.uniform(0.5, 10),
                                         .resting = random.uniform(0, 0.1),
-                                        .yield = random.uniform(0, 0.01)};
+                                        .yield = random.uniform(0, 0.01),
+                                        .fall = random.uniform(0, 0.1)};
             const auto agrees = [&](double within) {
                 return test::largestDifference(scene.bodies, expected.bodies) < within &&
                        largestDifference(rows, expected) < within;
