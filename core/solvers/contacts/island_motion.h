@@ -134,7 +134,7 @@ class IslandMotion {
     NewtonReport solveCold(const MotionInput& input, const NewtonReport& warm);
     bool contactsTurn(const MotionInput& input, double duration) const;
     void reserve();
-    bool losesPoint(const Bodies& bodies) const;
+    bool losesPoint(const MotionInput& input) const;
     void turnContacts(const MotionInput& input, double duration);
     void predictPoses(const MotionInput& input, double duration);
     void moveRows(const MotionInput& input);
