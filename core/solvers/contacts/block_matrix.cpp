@@ -4,8 +4,6 @@
 #include "core/base/assert.h"
 #include "core/base/wide.h"
 
-#include <Eigen/LU>
-
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -27,8 +25,8 @@ void eraseSorted(std::vector<int>& sorted, int value) {
     if (at != sorted.end() && *at == value) sorted.erase(at);
 }
 
-// The two functions below are plain loops over six rows. Eigen's Cholesky decomposition and triangular solve
-// treat such a block as one of any size, pack it for each product, and take twice the time.
+// The functions below are plain loops over six rows. Eigen's decompositions and triangular solves treat such
+// a block as one of any size, pack it for each product, and take two to eight times as long.
 
 /// Overwrites the lower half of H = L Lᵀ by L; false if H is not positive definite.
 CAROM_INLINE bool takeRoot(Mat6& h) {
@@ -60,6 +58,30 @@ CAROM_INLINE Mat6 inverseOfLower(const Mat6& lower) {
         inverse(i, i) = reciprocal;
     }
     return inverse;
+}
+
+/// The inverse of any block, by elimination with pivots from all rows that are left; not finite if it has
+/// none.
+CAROM_INLINE Mat6 inverseOf(const Mat6& block) {
+    Mat6 left = block.transpose(), inverse = Mat6::Identity(); // what were rows are columns here
+    for (int j = 0; j < 6; ++j) {
+        int pivot = j;
+        for (int i = j + 1; i < 6; ++i)
+            if (std::abs(left(j, i)) > std::abs(left(j, pivot))) pivot = i;
+        left.col(j).swap(left.col(pivot));
+        inverse.col(j).swap(inverse.col(pivot));
+        const double reciprocal = 1 / left(j, j);
+        for (int i = j + 1; i < 6; ++i) {
+            const double part = left(j, i) * reciprocal;
+            left.col(i) -= part * left.col(j);
+            inverse.col(i) -= part * inverse.col(j);
+        }
+    }
+    for (int j = 5; j >= 0; --j) {
+        inverse.col(j) *= 1 / left(j, j);
+        for (int i = 0; i < j; ++i) inverse.col(i) -= left(j, i) * inverse.col(j);
+    }
+    return inverse.transpose();
 }
 
 } // namespace
@@ -237,8 +259,7 @@ CAROM_WIDE bool BlockMatrix::factorGeneral(std::span<const double> lengths) {
     for (std::size_t j = 0; j < m_columns.size(); ++j) {
         const double length = lengths[static_cast<std::size_t>(m_block[j])];
         divideRotation(m_diagonal[j], length);
-        const Eigen::PartialPivLU<Mat6> pivot(m_diagonal[j]);
-        m_diagonal[j] = pivot.inverse();
+        m_diagonal[j] = inverseOf(m_diagonal[j]);
         divideRotation(m_diagonal[j], length);
         if (!m_diagonal[j].allFinite()) return false;
         const Column& column = m_columns[j];
