@@ -234,6 +234,9 @@ void IslandMotion::reserve() {
     m_warmRows.reserve(points);
     m_followed.pairs.reserve(1);
     m_followed.points.reserve(Manifold::capacity);
+    m_seenThere.reserve(Manifold::capacity);
+    m_ways.reserve(Manifold::capacity * Manifold::capacity);
+    m_unused.reserve(Manifold::capacity);
     m_newton.reserve(bodies, points);
     m_impacts.reserve(bodies, points);
 }

@@ -88,6 +88,10 @@ class IslandMotion {
         Mat3 frame = Mat3::Identity();
         Vec3 armA = Vec3::Zero(), armB = Vec3::Zero();
     };
+    /// Where a contact point is on both bodies of its pair [m].
+    struct SeenPoint {
+        Vec3 onA = Vec3::Zero(), onB = Vec3::Zero();
+    };
     /// The end of a spring before and after a part [m], and its arm from the body's centre.
     struct SpringEnd {
         int body = immobile; // of m_problem
@@ -138,6 +142,9 @@ class IslandMotion {
     void turnContacts(const MotionInput& input, double duration);
     void predictPoses(const MotionInput& input, double duration);
     void moveRows(const MotionInput& input);
+    static SeenPoint seenAt(const Bodies& bodies, const ContactPair& pair, const Pose& poseA,
+                            const Pose& poseB, const ContactConstraint& point);
+    void findWays(const MotionInput& input, const ContactPair& pair, const Pose& poseA, const Pose& poseB);
     void followPair(const MotionInput& input, const ContactPair& pair, const std::vector<Pose>& poses,
                     std::vector<Place>& places);
     void placeRow(const Place& place, ContactRow& row) const;
@@ -226,6 +233,9 @@ class IslandMotion {
     std::vector<Vec6> m_free;                  // by body of m_problem, v̂
     std::vector<std::uint8_t> m_presses;       // by point, 1: an impulse acts in it
     ContactSet m_followed;                     // of one pair
+    std::vector<SeenPoint> m_seenThere;        // its points
+    std::vector<double> m_ways;                // by point of the pair, and by one of these
+    std::vector<std::uint32_t> m_unused;       // of these
     std::vector<ContactConstraint> m_onRims;   // of one pair
     std::vector<std::uint32_t> m_rowPoint;     // by row, the point of m_contacts
     std::vector<std::uint8_t> m_stuck;         // by row, 1: it neither slid nor rolled when last solved for

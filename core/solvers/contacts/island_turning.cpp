@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 // Contacts turn while bodies do: a disk that rolls on its rim touches elsewhere at the end of a part of the
 // substep than at its start, and a block that rocks has its arm turned. Contacts as they are at the start
@@ -65,28 +66,6 @@ bool neverTurns(const Bodies& bodies, const ContactPair& pair) {
     constexpr std::in_place_type_t<Sphere> sphere;
     constexpr std::in_place_type_t<Wall> wall;
     return (is(sphere, pair.a) && is(wall, pair.b)) || (is(wall, pair.a) && is(sphere, pair.b));
-}
-
-/// A point of a pair of bodies, with their poses.
-struct PairPoint {
-    const ContactConstraint& contact;
-    const Pose &poseA, &poseB;
-};
-
-/// Squared distance of two points of one pair [m²], the smaller of those in the frames of both bodies: a
-/// point that slides keeps its place on one body; one that rolls on a wall keeps it on none.
-double distanceBetween(const Bodies& bodies, const ContactPair& pair, const PairPoint& one,
-                       const PairPoint& other) {
-    const auto onA = [](const PairPoint& p) { return p.poseA.directionToBody(p.contact.armA); };
-    const auto onB = [](const PairPoint& p) { return p.poseB.directionToBody(p.contact.armB); };
-    const auto inWorld = [&](const PairPoint& p) { // arms of immobile bodies are not set
-        return bodies.mobile[pair.a] != 0 ? Vec3(p.poseA.position + p.contact.armA)
-                                          : Vec3(p.poseB.position + p.contact.armB);
-    };
-    const double still = (inWorld(one) - inWorld(other)).squaredNorm();
-    const double movedA = bodies.mobile[pair.a] != 0 ? (onA(one) - onA(other)).squaredNorm() : still;
-    const double movedB = bodies.mobile[pair.b] != 0 ? (onB(one) - onB(other)).squaredNorm() : still;
-    return std::min(movedA, movedB);
 }
 
 } // namespace
@@ -213,6 +192,33 @@ void IslandMotion::moveRows(const MotionInput& input) {
     }
 }
 
+// A point of a pair, as its bodies see it at these poses. An immobile body sees the world's axes.
+IslandMotion::SeenPoint IslandMotion::seenAt(const Bodies& bodies, const ContactPair& pair, const Pose& poseA,
+                                             const Pose& poseB, const ContactConstraint& point) {
+    const bool isMobileA = bodies.mobile[pair.a] != 0, isMobileB = bodies.mobile[pair.b] != 0;
+    const Vec3 inWorld = isMobileA ? Vec3(poseA.position + point.armA) : Vec3(poseB.position + point.armB);
+    return {isMobileA ? poseA.directionToBody(point.armA) : inWorld,
+            isMobileB ? poseB.directionToBody(point.armB) : inWorld};
+}
+
+// Squared distances of the points of a pair at the start from those that were found at these poses [m²]: the
+// smaller of those that its two bodies see. A point that slides keeps its place on one body; one that rolls
+// on a wall keeps it on none.
+void IslandMotion::findWays(const MotionInput& input, const ContactPair& pair, const Pose& poseA,
+                            const Pose& poseB) {
+    m_seenThere.clear();
+    for (const ContactConstraint& point : m_followed.points)
+        m_seenThere.push_back(seenAt(input.bodies, pair, poseA, poseB, point));
+    m_ways.clear();
+    for (const ContactConstraint& point : m_contacts.pointsOf(pair)) {
+        const SeenPoint then =
+            seenAt(input.bodies, pair, input.state.pose[pair.a], input.state.pose[pair.b], point);
+        for (const SeenPoint& there : m_seenThere)
+            m_ways.push_back(
+                std::min((then.onA - there.onA).squaredNorm(), (then.onB - there.onB).squaredNorm()));
+    }
+}
+
 // Finds the points of a pair again with the bodies at these poses: the nearest first, each at most once.
 CAROM_WIDE void IslandMotion::followPair(const MotionInput& input, const ContactPair& pair,
                                          const std::vector<Pose>& poses, std::vector<Place>& places) {
@@ -221,41 +227,42 @@ CAROM_WIDE void IslandMotion::followPair(const MotionInput& input, const Contact
     const auto poseOf = [&](BodyIndex i) -> const Pose& {
         return localOf(i) == immobile ? input.state.pose[i] : poses[at(localOf(i))];
     };
-    const Pose &startA = input.state.pose[pair.a], &startB = input.state.pose[pair.b];
     const Pose &poseA = poseOf(pair.a), &poseB = poseOf(pair.b);
     m_followed.clear();
     m_work += collideWork(input.bodies, pair);
     ++report.work.pairsCollided;
     collideAt(input.bodies, poseA, poseB, pair, {}, m_followed);
     const std::span<const ContactConstraint> points = m_contacts.pointsOf(pair);
-    std::vector<ContactConstraint>& found = m_followed.points;
+    const std::vector<ContactConstraint>& found = m_followed.points;
+    findWays(input, pair, poseA, poseB);
+    m_unused.resize(found.size());
+    std::iota(m_unused.begin(), m_unused.end(), 0U);
     const double within = std::pow(sameWithin * pair.size, 2);
     const bool alone = points.size() == 1 && found.size() == 1;
     for (std::size_t count = std::min(points.size(), found.size()); count > 0; --count) {
-        std::size_t point = 0, best = found.size();
+        std::size_t point = 0, best = m_unused.size();
         double nearest = std::numeric_limits<double>::infinity();
         for (std::size_t i = 0; i < points.size(); ++i) {
             if (places[pair.first + i].found) continue;
             const double weight = m_presses[pair.first + i] != 0 ? gapWeight : 0;
-            for (std::size_t k = 0; k < found.size(); ++k) {
-                const double way = distanceBetween(input.bodies, pair, {points[i], startA, startB},
-                                                   {found[k], poseA, poseB});
-                const double distance = way + std::pow(weight * found[k].separation, 2);
+            for (std::size_t k = 0; k < m_unused.size(); ++k) {
+                const double way = m_ways[i * found.size() + m_unused[k]];
+                const double distance = way + std::pow(weight * found[m_unused[k]].separation, 2);
                 if (!(distance < nearest) || !(alone || way <= within)) continue;
                 nearest = distance;
                 point = i;
                 best = k;
             }
         }
-        if (best == found.size()) return;
-        const Vec3 from = points[point].frame.row(0).transpose(), to = found[best].frame.row(0).transpose();
+        if (best == m_unused.size()) return;
+        const ContactConstraint& there = found[m_unused[best]];
+        const Vec3 from = points[point].frame.row(0).transpose(), to = there.frame.row(0).transpose();
         if (from.dot(to) < sameFace) return;
         // Tangents turn only as the normal does, so that tangential impulses keep their directions.
         const Mat3 turn = from == to ? Mat3(Mat3::Identity()) : shortestRotation(from, to).toRotationMatrix();
-        places[pair.first + point] = {true, points[point].frame * turn.transpose(), found[best].armA,
-                                      found[best].armB};
-        found[best] = found.back();
-        found.pop_back();
+        places[pair.first + point] = {true, points[point].frame * turn.transpose(), there.armA, there.armB};
+        m_unused[best] = m_unused.back();
+        m_unused.pop_back();
     }
 }
 
