@@ -297,7 +297,8 @@ void ContactRows::setCarried(const LanePacker::Place& place, const PairInput& pa
     set(place, pair);
     CarriedGroup& carried = m_carried[place.group];
     const std::size_t lane = place.lane;
-    for (std::size_t k = 0; k < points.count; ++k) carried.points[k][lane] = points.points[k];
+    for (std::size_t k = 0; k < mostRowPoints; ++k)
+        carried.points[k][lane] = k < points.count ? points.points[k] : &m_none;
     carried.frameA[lane] = points.frameA;
     carried.frameB[lane] = points.frameB;
     carried.count[lane] = static_cast<double>(points.count);
@@ -389,6 +390,35 @@ void ContactRows::carry(std::uint32_t group, std::uint32_t lane, std::span<Carri
     if (group >= m_carried.size()) return;
     for (std::size_t k = 0; k < mostRowPoints; ++k)
         m_carried[group].points[k][lane] = k < points.size() ? &points[k] : &m_none;
+    m_carried[group].count[lane] = static_cast<double>(points.size());
+}
+
+double ContactRows::refill(std::span<const std::uint32_t> groups, std::span<const SolverBody> bodies,
+                           std::span<const BodyFrame> frames, double duration) {
+    double deepest = 0;
+    for (const std::uint32_t group : groups)
+        deepest = std::max(deepest,
+                           fillRows(this->groups().subspan(group, 1), std::span(m_carried).subspan(group, 1),
+                                    m_points.data(), bodies.data(), frames.data(), duration));
+    return deepest;
+}
+
+double ContactRows::moveStart() {
+    Wide deepest{};
+    for (RowPoint& row : points()) {
+        row.start = row.gap;
+        deepest = larger(deepest, -row.gap);
+    }
+    return std::max(std::max(deepest[0], deepest[1]), std::max(deepest[2], deepest[3]));
+}
+
+void ContactRows::turnRolling(std::uint32_t group, std::uint32_t lane, const Vec3& normal,
+                              std::span<const SolverBody> bodies) {
+    RollingRow* row = rollingOf(group, lane);
+    if (row == nullptr) return;
+    row->normal = normal;
+    row->inertia = rollingInertia(bodies[row->a], bodies[row->b], normal);
+    row->torque -= normal.dot(row->torque) * normal;
 }
 
 bool ContactRows::storeForces(std::uint32_t group, std::uint32_t lane, double duration) const {

@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 // The data of the velocity solve, laid out for registers of four doubles.
@@ -155,6 +156,25 @@ class ContactRows {
         m_packer.closeAll();
         m_sections.close(phase, m_groups.size());
     }
+    /// Whether these are rows of carried points, with room for so many.
+    bool isCarried(std::uint32_t group, std::size_t points) const {
+        return group < m_carried.size() && points <= m_groups[group].points;
+    }
+    /// Makes all rows of these groups anew of their carried points; setCarried() may have changed some.
+    /// Returns the deepest overlap of these points [m].
+    double refill(std::span<const std::uint32_t> groups, std::span<const SolverBody> bodies,
+                  std::span<const BodyFrame> frames, double duration);
+    /// Indices of the frames of a group of carried points.
+    std::pair<std::span<const std::uint32_t>, std::span<const std::uint32_t>>
+    framesOf(std::uint32_t group) const {
+        return {m_carried[group].frameA, m_carried[group].frameB};
+    }
+    /// The bodies have come to where the gaps are now: displacements are counted from here on. Returns the
+    /// deepest overlap [m].
+    double moveStart();
+    /// Rolling resistance of a pair that has rows acts across this normal from now on.
+    void turnRolling(std::uint32_t group, std::uint32_t lane, const Vec3& normal,
+                     std::span<const SolverBody> bodies);
     /// To be called after the last pair, of all or of those that are added later.
     void end(std::span<const SolverBody> bodies) { end(bodies, {}, 1); }
     /// The same with the frames of carried points, whose forces become impulses over `duration` [s]. Returns
@@ -180,7 +200,8 @@ class ContactRows {
     Vec3 torqueOf(std::uint32_t group, std::uint32_t lane);
     /// A pair that has rows has none from now on.
     void remove(std::uint32_t group, std::uint32_t lane);
-    /// A pair that has rows of carried points has these from now on; without effect on rows of others.
+    /// A pair that has rows of carried points has these from now on: the rows are still of the old ones.
+    /// Without effect on rows of others.
     void carry(std::uint32_t group, std::uint32_t lane, std::span<CarriedPoint> points);
     /// Carried points of one pair get the forces that their impulses are over `duration` [s]. False if the
     /// rows of this pair are not of carried points.

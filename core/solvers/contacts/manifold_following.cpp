@@ -97,6 +97,12 @@ CAROM_WIDE void follow(const Solids& solids, PersistentManifold& manifold) {
     manifold.normalInB = inB;
 }
 
+bool staysInPlace(const Bodies& bodies, const PersistentManifold& manifold) {
+    const Shape &a = bodies.shape[manifold.pair.a], &b = bodies.shape[manifold.pair.b];
+    if (isWall(a) || isWall(b)) return std::holds_alternative<Cuboid>(isWall(a) ? b : a);
+    return manifold.source.kind != Kind::Other && (manifold.rollsA | manifold.rollsB) == 0;
+}
+
 // Compares the places at the contact, not the centres: the centre of a large body moves far when it turns a
 // little.
 CAROM_WIDE bool holds(const Solids& solids, const PersistentManifold& manifold, const Quat& orientation,

@@ -250,11 +250,6 @@ double slackOf(const ManifoldInput& input, BodyPair pair) {
            forces.reach(pair.b, input.duration);
 }
 
-/// Within this gap along a normal along which they close with `closing` m/s at most they may touch in it [m].
-double reachAlong(const ManifoldInput& input, BodyPair pair, double closing) {
-    return slackOf(input, pair) + input.duration * std::max(0.0, closing);
-}
-
 /// How fast the surfaces come nearer along a normal from A to B at most [m/s].
 double closingAlong(const ManifoldInput& input, BodyPair pair, const Vec3& normal) {
     const Vec3 velocity = input.state.velocity[pair.b] - input.state.velocity[pair.a];
@@ -291,7 +286,7 @@ double smallerSize(const Bodies& bodies, BodyPair pair) {
 }
 
 bool canMeetAlong(const ManifoldInput& input, BodyPair pair, double gap, double closing) {
-    return gap <= reachAlong(input, pair, closing);
+    return gap <= slackOf(input, pair) + input.duration * std::max(0.0, closing);
 }
 
 bool canMeet(const ManifoldInput& input, BodyPair pair, double gap) {
@@ -400,24 +395,26 @@ Vec3 normalOf(const ManifoldInput& input, const PersistentManifold& manifold) {
     return input.state.pose[a].directionToWorld(manifold.normal);
 }
 
-CAROM_WIDE unsigned nearPoints(const ManifoldInput& input, const PersistentManifold& manifold) {
+CAROM_WIDE NearPoints nearPoints(const ManifoldInput& input, const PersistentManifold& manifold,
+                                 const Vec3& normal, double reach) {
     const unsigned count = static_cast<unsigned>(manifold.count), all = (1U << count) - 1;
-    if (manifold.round || count == 1) return all;
+    if (manifold.round || count == 1) return {.bits = all};
     const auto [a, b] = manifold.pair;
     const Pose &poseA = input.state.pose[a], &poseB = input.state.pose[b];
     const bool haveCores = carom::haveCores(input.bodies.shape[a], input.bodies.shape[b]);
-    const Vec3 normal = normalOf(input, manifold);
     const Vec3 inA = haveCores ? manifold.normal : poseA.directionToBody(normal),
                inB = haveCores ? manifold.normalInB : poseB.directionToBody(normal);
     const double between = normal.dot(poseB.position - poseA.position);
     std::array<double, manifoldPoints> gaps{};
     for (unsigned k = 0; k < count; ++k)
         gaps[k] = between + inB.dot(manifold.points[k].onB) - inA.dot(manifold.points[k].onA);
-    const double deepest = *std::min_element(gaps.begin(), gaps.begin() + count);
-    const double reach =
-        std::max(deepest, reachAlong(input, manifold.pair, closingAlong(input, manifold.pair, normal)));
-    unsigned near = 0;
-    for (unsigned k = 0; k < count; ++k) near |= gaps[k] <= reach ? 1U << k : 0U;
+    const double least = std::max(reach, *std::min_element(gaps.begin(), gaps.begin() + count));
+    NearPoints near;
+    for (unsigned k = 0; k < count; ++k)
+        if (gaps[k] <= least)
+            near.bits |= 1U << k;
+        else
+            near.next = std::min(near.next, gaps[k]);
     return near;
 }
 

@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <variant>
 #include <vector>
@@ -115,9 +116,14 @@ bool updateManifold(const ManifoldInput& input, double margin, PersistentManifol
 /// Manifolds that one thread updates at least; one takes .1 to 1 us. At half, waking a thread costs nearly
 /// what it saves; at twice, islands of some hundred pairs are updated by one.
 inline constexpr std::size_t fewManifolds = 128;
-/// The points of a manifold that may touch within the substep as the two move, if nothing strikes them: bit k
-/// of point k. The deepest one always counts as such.
-unsigned nearPoints(const ManifoldInput& input, const PersistentManifold& manifold);
+/// The points of a manifold with this normal from A to B that may touch if its gap is closed by `reach` [m]
+/// at most.
+struct NearPoints {
+    unsigned bits = 0; ///< bit k of point k; the deepest one always counts as such
+    double next = std::numeric_limits<double>::infinity(); ///< least gap of the others [m]
+};
+NearPoints nearPoints(const ManifoldInput& input, const PersistentManifold& manifold, const Vec3& normal,
+                      double reach);
 /// Updates an open manifold to the present poses, for bodies that were struck; it is no longer open. False,
 /// and still open, if they are further apart than `margin` [m].
 bool closeManifold(const ManifoldInput& input, double margin, PersistentManifold& manifold);

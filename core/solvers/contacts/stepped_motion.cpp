@@ -97,13 +97,13 @@ void SteppedMotion::begin(const Bodies& bodies, const Division& division, double
     m_balls.clear();
     m_forced.clear();
     m_moving.isKnown = false;
-    m_plan.forget();
+    forgetRows();
 }
 
 void SteppedMotion::addIsland(const SteppedInput& input, std::span<const BodyIndex> list,
                               std::span<const std::uint32_t> springs) {
     m_isAfterKnown = m_moving.isKnown = m_weight.isKnown = false;
-    m_plan.forget();
+    forgetRows();
     const std::uint32_t island = static_cast<std::uint32_t>(m_groups.size());
     m_groups.push_back({.joined = island, .bodies = list.size()});
     for (const BodyIndex body : list) {
@@ -192,6 +192,7 @@ SteppedReport SteppedMotion::advance(const SteppedInput& input, Manifolds& manif
     SteppedReport report;
     if (input.ledger != nullptr) rememberBefore(input);
     m_step = part * m_substep / (m_division.looks * m_division.steps);
+    if (input.isFirst) m_areRowsKept = false; // a checkpoint has no rows
     for (int k = 0; k < m_division.looks; ++k) {
         look(input, m_step * m_division.steps, manifolds, report);
         for (int i = 0; i < m_division.steps; ++i) {

@@ -43,6 +43,10 @@
 //                as they are, to the bit
 //     end        all leave
 //
+// Within a frame, a look keeps the rows of pairs that have moved little against each other, and makes anew
+// only those of others (stepped_motion_keeping.cpp). Contacts that roll keep theirs only as long as their
+// points would be kept if they did not follow (manifolds.h).
+//
 // Pairs that do not meet as they move (open manifolds, idle balls) have no rows, but are watched. If impulses
 // have changed the velocity of a body so that a pair would close its gap within the step, its contact is
 // found, and the solve of the step continues with it; this may happen a few times in a step, as impulses are
@@ -246,11 +250,13 @@ class SteppedMotion {
         Watched watched;  ///< its gap is 0 if the pair must be updated [m]
         double slack = 0; ///< within it they may touch however slow they are [m]
         bool hasPoints = false;
+        bool hasRows = false; ///< it can meet: the gap is that of its points without rows; 0 if all have some
         double heldDepth = -1; ///< overlap of two that stand still in contact; below 0 if they do not [m]
     };
     /// The law of the contact of a pair, once it has had one.
     struct PairLaws {
         double friction = 0, restitution = 0, rolling = 0, push = 0; ///< as in PairInput; push is above 0
+        double size = 0;                                             ///< as in ContactPair [m]
     };
     /// What a look finds of a pair.
     struct Seen {
@@ -269,6 +275,13 @@ class SteppedMotion {
         std::uint32_t frameA = 0, frameB = 0; ///< into m_frames
         std::uint8_t near = 0;                ///< as in Seen
     };
+    /// How far a body has moved since its contacts were found.
+    struct Since {
+        Vec3 shift = Vec3::Zero();    ///< of its centre [m]
+        double moved = 0, turned = 0; ///< the size of that [m], and the angle [rad]
+    };
+    /// What becomes of the rows that a pair had when a look begins.
+    enum RowState : std::uint8_t { noRows, keptRows, oldRows };
     /// A body whose frame rows need.
     struct Framed {
         BodyIndex body = 0;
@@ -354,6 +367,18 @@ class SteppedMotion {
     template<class Goes>
     void storeBalls(const SteppedInput& input, const Goes& goes, Manifolds& manifolds);
     void look(const SteppedInput& input, double duration, Manifolds& manifolds, SteppedReport& report);
+    void keepRows(const SteppedInput& input, const Manifolds& manifolds);
+    void noteFar(std::uint32_t number) {
+        m_isFar.resize(m_bodies.size(), 0);
+        m_isFar[number] = 1;
+    }
+    void forgetRows() {
+        m_plan.forget();
+        m_areRowsKept = false;
+    }
+    void replaceRows(const ManifoldInput& here, Manifolds& manifolds);
+    void refillRows(const ManifoldInput& here);
+    BodyFrame frameOf(const ManifoldInput& here, const Framed& framed) const;
     PlacedManifold placedAtLook(const ManifoldInput& here, const PersistentManifold& manifold) const;
     PairInput rowOf(const Bodies& bodies, std::uint32_t entry, const PlacedManifold& contact);
     void addRows(const ManifoldInput& here, Manifolds& manifolds, Workers& workers);
@@ -372,8 +397,10 @@ class SteppedMotion {
     void findMoving();
     void forgetMoved();
     void noteTravel(const SteppedInput& input, double duration);
+    double comesAlong(const Vec3& normal, std::uint32_t numberA, std::uint32_t numberB) const;
     bool staysOpen(OpenPair& pair, double fall) const;
-    OpenPair openPairOf(const ManifoldInput& here, std::uint32_t number, const Manifolds& manifolds) const;
+    OpenPair openPairOf(const ManifoldInput& here, std::uint32_t number, const Manifolds& manifolds,
+                        const Vec3& normal) const;
     void foreseeStruck(double duration, Workers& workers);
     void foreseeStruck(double duration, std::span<const std::uint32_t> numbers);
     bool isStruck(const Watched& pair) const;
@@ -524,6 +551,14 @@ class SteppedMotion {
     Scratch<std::vector<std::uint32_t>> m_turns;             // numbers of those that turn in the step
     Scratch<std::vector<std::uint8_t>> m_hasTurned; // by number: since the rows had their effective masses
     Scratch<std::vector<Vec3>> m_seenTurn; // by number: how far it had turned when its contacts were found
+    Scratch<std::vector<Since>> m_since;   // by number
+    // By number: its contacts must be found anew at the next look.
+    Scratch<std::vector<std::uint8_t>> m_isFar;
+    bool m_areRowsKept = false;                          // of the last look, and of what is here
+    Scratch<std::vector<LanePacker::Place>> m_rowOf;     // by entry: rows that are kept, or that were there
+    Scratch<std::vector<std::uint8_t>> m_rowState;       // by entry: RowState
+    Scratch<std::vector<std::uint32_t>> m_refilled;      // groups
+    Scratch<std::vector<std::uint8_t>> m_isFramed;       // by place in m_frames: it is of the present pose
     Scratch<std::vector<Foreseen>> m_foreseen;           // ascending
     Scratch<std::vector<LanePacker::Place>> m_addedRows; // for the rest of a step
     Scratch<std::vector<std::uint32_t>> m_changedGroups; // of rows, by looking ahead

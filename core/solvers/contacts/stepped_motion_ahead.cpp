@@ -42,6 +42,7 @@ CAROM_WIDE void SteppedMotion::foreseeTurned(const SteppedInput& input, double d
             if (!(since.squaredNorm() > m_turnable[i].most)) continue;
         }
         m_hasTurned[i] = 1;
+        noteFar(i);
         m_foreseen.push_back({i, pose, m_moved[i], duration * vectorOf(m_bodies[i].velocity), turn});
         m_seenTurn[i] = vectorOf(m_moved[i].turn) + turn;
     }

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <atomic>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <utility>
 
@@ -21,19 +22,23 @@ constexpr std::size_t fewFrames = 512;
 
 } // namespace
 
-// Finds the contacts at the present poses.
+// Finds the contacts at the present poses. Within a frame, rows of pairs are kept of which neither body has
+// gone far since they were made.
 void SteppedMotion::look(const SteppedInput& input, double duration, Manifolds& manifolds,
                          SteppedReport& report) {
     findMoving();
     noteTravel(input, duration);
+    if (m_areRowsKept) keepRows(input, manifolds);
     forgetMoved();
     findContacts(input, duration, manifolds, report);
     if (wakeStruck(input, manifolds)) {
         findMoving();
         noteTravel(input, duration); // with the same poses
-        forgetMoved();               // nor have those that move on
+        m_areRowsKept = false;
+        forgetMoved(); // nor have those that move on
         findContacts(input, duration, manifolds, report);
     }
+    m_areRowsKept = true;
     m_arePartsFound = false;
     report.contacts += m_heldContacts + m_balls.heldContacts();
     report.maxPenetration =
@@ -56,10 +61,14 @@ void SteppedMotion::findMoving() {
     m_moving.bodies.clear();
     m_moving.paired.clear();
     m_part.resize(m_bodies.size());
+    m_seenTurn.resize(m_bodies.size(), Vec3::Zero());
+    m_since.resize(m_bodies.size());
+    m_isFar.resize(m_bodies.size(), 0);
     for (std::uint32_t i = 1; i < m_bodies.size(); ++i) {
         m_part[i] = i;
         if (m_still.is(i)) {
             m_moved[i] = {};
+            m_since[i] = {};
             continue;
         }
         m_moving.awake.push_back(i);
@@ -68,24 +77,31 @@ void SteppedMotion::findMoving() {
     }
     m_travel.assign(m_bodies.size(), {});
     m_coming.assign(m_bodies.size(), {});
-    m_seenTurn.resize(m_bodies.size(), Vec3::Zero());
 }
 
 // Bodies have not moved since this look.
 void SteppedMotion::forgetMoved() {
     for (const std::uint32_t i : m_moving.awake) {
+        const bool isKept = m_areRowsKept && m_isFar[i] == 0;
+        m_seenTurn[i] = isKept ? Vec3(m_seenTurn[i] - vectorOf(m_moved[i].turn)) : Vec3(Vec3::Zero());
+        if (!isKept) m_since[i] = {};
         m_moved[i] = {};
         m_struck[i] = 0;
     }
-    for (const std::uint32_t i : m_moving.paired) m_seenTurn[i] = Vec3::Zero();
+    std::fill(m_isFar.begin(), m_isFar.end(), std::uint8_t{0});
 }
 
 void SteppedMotion::findContacts(const SteppedInput& input, double duration, Manifolds& manifolds,
                                  SteppedReport& report) {
     m_balls.refresh(m_bodies, m_places, duration, input.gravity, input.workers);
-    m_deepest = m_balls.deepest();
     report.contacts = wideLanes * m_balls.activeGroups();
-    m_rows.begin(m_bodies.size(), immobile);
+    if (!m_areRowsKept) {
+        m_rows.begin(m_bodies.size(), immobile);
+        m_rowState.assign(m_entries.size(), noRows);
+        m_deepest = 0;
+    }
+    m_rowState.resize(m_entries.size(), noRows);
+    m_deepest = std::max(m_deepest, m_balls.deepest());
     m_hasEmptyRows = false;
     m_watched.clear();
     m_touching.clear();
@@ -99,9 +115,15 @@ void SteppedMotion::findContacts(const SteppedInput& input, double duration, Man
             m_touching.push_back(seen);
         else if (seen.isWatched)
             m_watched.push_back(m_open[seen.number].watched);
+        if (const std::uint32_t entry = m_general[seen.number];
+            !seen.isTouching && m_rowState[entry] == oldRows)
+            m_rows.remove(m_rowOf[entry].group, m_rowOf[entry].lane);
         report.contacts += seen.hasPoints ? 1 : 0;
     }
-    addRows(here, manifolds, input.workers);
+    if (m_areRowsKept)
+        replaceRows(here, manifolds);
+    else
+        addRows(here, manifolds, input.workers);
     m_deepest = std::max(m_deepest, m_rows.end(m_bodies, m_frames, m_step, input.workers));
 }
 
@@ -120,13 +142,19 @@ void SteppedMotion::updatePairs(const ManifoldInput& here, Manifolds& manifolds,
     report.work.pairsCollided += collided;
 }
 
+// How much two bodies may come nearer to each other along a normal from A to B before the next look [m].
+CAROM_INLINE double SteppedMotion::comesAlong(const Vec3& normal, std::uint32_t numberA,
+                                              std::uint32_t numberB) const {
+    const Travel &a = m_travel[numberA], &b = m_travel[numberB];
+    return std::max(0.0, normal.dot(a.comes - b.comes) + a.turns + b.turns);
+}
+
 CAROM_INLINE bool SteppedMotion::staysOpen(OpenPair& pair, double fall) const {
     double& gap = pair.watched.gap;
     if (!(gap > 0)) return false;
     const Travel &a = m_travel[pair.watched.a], &b = m_travel[pair.watched.b];
     gap += pair.watched.normal.dot(b.came - a.came) - a.turned - b.turned;
-    const double comes = pair.watched.normal.dot(a.comes - b.comes) + a.turns + b.turns;
-    return gap > pair.slack + fall + std::max(0.0, comes);
+    return gap > pair.slack + fall + comesAlong(pair.watched.normal, pair.watched.a, pair.watched.b);
 }
 
 SteppedMotion::Seen SteppedMotion::see(const ManifoldInput& here, std::uint32_t number, double fall,
@@ -134,25 +162,40 @@ SteppedMotion::Seen SteppedMotion::see(const ManifoldInput& here, std::uint32_t 
     Entry& entry = m_entries[m_general[number]];
     OpenPair& open = m_open[number];
     Seen seen{.number = number};
+    if (std::uint8_t& rows = m_rowState[m_general[number]]; rows == keptRows) {
+        seen.hasPoints = true;
+        if (!(open.watched.gap > 0) || staysOpen(open, fall)) return seen;
+        rows = oldRows;
+    }
     const bool isFresh = std::exchange(entry.isFresh, false);
-    if (isFresh || !staysOpen(open, fall)) {
+    if (isFresh || open.hasRows || !staysOpen(open, fall)) {
         PersistentManifold& manifold = manifolds[entry.place];
         if (isFresh)
             openIfApart(here, manifold);
         else
             collided += updateManifold(here, entry.margin, manifold) ? 1 : 0;
         open.watched.gap = 0;
+        open.hasRows = false;
         if (!manifold.open) {
             const auto [a, b] = numbersOf(manifold.pair);
+            const Vec3 normal = normalOf(here, manifold);
+            const double slack = slackPart * smallerSize(here.bodies, manifold.pair);
+            const NearPoints near =
+                nearPoints(here, manifold, normal, slack + fall + comesAlong(normal, a, b));
+            if (std::isfinite(near.next)) {
+                open = openPairOf(here, number, manifolds, normal);
+                open.watched.gap = near.next;
+                open.hasRows = true;
+            }
             return {.number = number,
                     .a = a,
                     .b = b,
-                    .near = static_cast<std::uint8_t>(nearPoints(here, manifold)),
+                    .near = static_cast<std::uint8_t>(near.bits),
                     .isRound = manifold.round,
                     .hasPoints = manifold.count > 0,
                     .isTouching = manifold.count > 0};
         }
-        open = openPairOf(here, number, manifolds);
+        open = openPairOf(here, number, manifolds, normalOf(here, manifold));
     }
     seen.hasPoints = open.hasPoints;
     seen.isWatched = open.watched.gap <= entry.margin;
@@ -192,11 +235,7 @@ void SteppedMotion::addRows(const ManifoldInput& here, Manifolds& manifolds, Wor
     for (const Framed& framed : m_framed) m_frameOf[m_local[framed.body]] = BallRows::noPair;
     m_frames.resize(m_framed.size());
     workers.forRanges(m_framed.size(), fewFrames, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            const Pose& pose = here.state.pose[m_framed[i].body];
-            m_frames[i] = {m_framed[i].turns ? pose.orientation.toRotationMatrix() : Mat3(Mat3::Identity()),
-                           pose.position};
-        }
+        for (std::size_t i = begin; i < end; ++i) m_frames[i] = frameOf(here, m_framed[i]);
     });
     workers.forRanges(m_placed.size(), fewManifolds, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) setRow(here, m_placed[i], manifolds);
@@ -207,13 +246,18 @@ void SteppedMotion::addRows(const ManifoldInput& here, Manifolds& manifolds, Wor
                               placed.place, m_bodies);
 }
 
+BodyFrame SteppedMotion::frameOf(const ManifoldInput& here, const Framed& framed) const {
+    const Pose& pose = here.state.pose[framed.body];
+    return {framed.turns ? pose.orientation.toRotationMatrix() : Mat3(Mat3::Identity()), pose.position};
+}
+
 // What is the same for a pair at every look.
 PairInput SteppedMotion::inputOf(const Bodies& bodies, std::uint32_t entry) {
     const BodyPair pair = m_entries[entry].pair;
     PairLaws& laws = m_laws[entry];
     if (!(laws.push > 0)) {
         const ContactPair of = pairOf(bodies, pair, 0);
-        laws = {of.friction, of.restitution, of.rolling, mostCorrection * of.size / m_substep};
+        laws = {of.friction, of.restitution, of.rolling, mostCorrection * of.size / m_substep, of.size};
     }
     return {.a = m_local[pair.a],
             .b = m_local[pair.b],
@@ -279,7 +323,7 @@ void SteppedMotion::noteTravel(const SteppedInput& input, double duration) {
 }
 
 SteppedMotion::OpenPair SteppedMotion::openPairOf(const ManifoldInput& here, std::uint32_t number,
-                                                  const Manifolds& manifolds) const {
+                                                  const Manifolds& manifolds, const Vec3& normal) const {
     const std::uint32_t entry = m_general[number];
     const PersistentManifold& manifold = manifolds[m_entries[entry].place];
     const auto [a, b] = manifold.pair;
@@ -290,7 +334,7 @@ SteppedMotion::OpenPair SteppedMotion::openPairOf(const ManifoldInput& here, std
                         .open = number,
                         .a = m_local[a],
                         .b = m_local[b],
-                        .normal = normalOf(here, manifold),
+                        .normal = normal,
                         .gap = manifold.gap,
                         .radiusA = turning(a),
                         .radiusB = turning(b)},

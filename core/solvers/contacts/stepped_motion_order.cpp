@@ -31,7 +31,7 @@ void SteppedMotion::order(const SteppedInput& input) {
 
 // Divides the islands that are not in order into slabs.
 void SteppedMotion::divide(const SteppedInput& input) {
-    m_plan.forget();
+    forgetRows();
     m_divided.clear();
     for (std::uint32_t i = 1; i < m_island.size(); ++i)
         if (m_groups[m_island[i]].isUnordered()) m_divided.push_back(i);
@@ -149,7 +149,7 @@ void SteppedMotion::joinIslands(std::uint32_t one, std::uint32_t other) {
 
 void SteppedMotion::settle() {
     if (std::exchange(m_isSettled, true)) return;
-    m_plan.forget();
+    forgetRows();
     for (std::size_t i = 1; i < m_island.size(); ++i) m_island[i] = rootOf(m_island[i]);
 }
 

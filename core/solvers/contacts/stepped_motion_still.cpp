@@ -210,6 +210,7 @@ void SteppedMotion::moveOn(const SteppedInput& input, std::uint32_t number) {
     m_still.set(number, false);
     setMass(input, number);
     m_movedOn.push_back(m_list[number - 1]);
+    noteFar(number); // its rows are those of an immobile body
 }
 
 // Lets bodies that stand still move on if a body strikes them before the next look, and others that these

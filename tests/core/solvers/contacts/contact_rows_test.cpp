@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <set>
 #include <vector>
 
@@ -320,6 +321,10 @@ class ContactRowsTest : public QObject {
                 pair.laws.torque *= duration;
             }
             QVERIFY(std::abs(rows.end(scene.bodies, frames, duration) - deepest) < roundingOfRows);
+            std::vector<std::uint32_t> all(rows.groups().size());
+            std::iota(all.begin(), all.end(), 0U);
+            QVERIFY(std::abs(rows.refill(all, scene.bodies, frames, duration) - deepest) < roundingOfRows);
+            QVERIFY(std::abs(rows.moveStart() - deepest) < roundingOfRows); // nothing has moved
             const ContactRows expected = scene.rows();
             QCOMPARE(rows.groups().size(), expected.groups().size());
             QCOMPARE(rows.points().size(), expected.points().size());
