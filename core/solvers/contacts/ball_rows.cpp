@@ -119,7 +119,7 @@ CAROM_INLINE void BallRows::refreshGroup(const Refresh& with, std::size_t i, con
     row.massTangent = changes ? (acts ? fixed.massTangent : zero) : row.massTangent;
     store(group.normal, choose(changes, n, old));
     store(group.tangent, choose(changes, t, oldT));
-    group.gap = changes ? (used | (fixed.isHeld > zero) ? now : zero) : group.gap;
+    group.gap = changes ? ((used | (fixed.isHeld > zero)) ? now : zero) : group.gap;
     group.idle = !anyLane(row.massNormal > zero);
     group.watched = anyLane(used & (row.massNormal == zero));
 }

@@ -99,7 +99,7 @@ CAROM_INLINE Wide strike(const BallGroup& group, SolverBody* bodies, const Displ
     apply(group, n, t1, t2, {normal, meets ? part * q1 : zero, meets ? part * q2 : zero}, a, b);
     scatter(bodies, group.a, a);
     scatter(bodies, group.b, b);
-    const Wide fastest = meets & (closing > resting) ? closing : zero;
+    const Wide fastest = (meets & (closing > resting)) ? closing : zero;
     activateLanes(group, fastest, active, static_cast<std::uint8_t>(pass + 1));
     return bounces ? closing : zero;
 }

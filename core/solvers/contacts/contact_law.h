@@ -77,11 +77,11 @@ CAROM_INLINE Wide3 solvePoint(const Wide3& velocity, const Wide& gap, const Grou
         bias = gap > zero ? gap * perDuration : zero;
     }
     if constexpr (pass == Pass::Rebound)
-        bias = (row.approach > zero) & (row.normal > zero) ? -group.restitution * row.approach : bias;
+        bias = ((row.approach > zero) & (row.normal > zero)) ? -group.restitution * row.approach : bias;
     const Wide wanted = row.normal - row.massNormal * share * (speed + bias) - given;
     Wide normal = larger(wanted, zero);
     if constexpr (pass != Pass::Feedback) // impulses of open contacts are left to the next step
-        normal = (gap > zero) & (row.normal == zero) ? zero : normal;
+        normal = ((gap > zero) & (row.normal == zero)) ? zero : normal;
     const Wide dn = normal - row.normal;
     if constexpr (pass == Pass::Relax) {
         const Wide slip = larger(absolute(d1), absolute(d2));
