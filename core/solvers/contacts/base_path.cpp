@@ -188,19 +188,19 @@ void BasePath::orderWhereMany() {
 void BasePath::findOutrun(const SteppedInput& input, double time, double skin, const Neighbours& neighbours) {
     m_room.resize(input.bodies.count());
     for (const SteppedMotion& block : m_blocks) {
-        m_stirring.clear();
+        m_active.clear();
         for (const BodyIndex i : block.bodies())
-            if (!neighbours.settled().has(i)) m_stirring.push_back(i);
-        m_isOutrun.resize(m_stirring.size());
-        input.workers.forRanges(m_stirring.size(), fewBodies, [&](std::size_t begin, std::size_t end) {
+            if (!neighbours.settled().has(i)) m_active.push_back(i);
+        m_isOutrun.resize(m_active.size());
+        input.workers.forRanges(m_active.size(), fewBodies, [&](std::size_t begin, std::size_t end) {
             for (std::size_t n = begin; n < end; ++n) {
-                const BodyIndex i = m_stirring[n];
+                const BodyIndex i = m_active[n];
                 m_room[i] = roomOf(input, i);
                 m_isOutrun[n] = neighbours.reach(i) > m_room[i] ? 1 : 0;
             }
         });
-        for (std::size_t n = 0; n < m_stirring.size(); ++n) {
-            const BodyIndex i = m_stirring[n];
+        for (std::size_t n = 0; n < m_active.size(); ++n) {
+            const BodyIndex i = m_active[n];
             if (block.isMarked(i)) continue;
             const bool isOutrun = m_isOutrun[n] != 0;
             if (!isOutrun && !input.isFirst) continue;
@@ -265,7 +265,7 @@ void BasePath::loadPairs(const SteppedInput& input, Neighbours& neighbours, Mani
     for (const auto& [body, reach, isNarrowed] : m_renewed) {
         m_reach[body] = reach;
         m_origin[body] = input.state.pose[body];
-        neighbours.settled().rouse(body);
+        neighbours.settled().wake(body);
     }
     m_present.clear();
     for (SteppedMotion& block : m_blocks) {

@@ -71,16 +71,16 @@ void Candidates::note(const Bodies& bodies, const State& state, std::span<const 
     for (const BodyIndex i : members) m_kind[i] = kindOf(placed[i]);
 }
 
-void Candidates::lookAt(const Bodies& bodies, const State& state, std::span<const BodyIndex> stirring,
+void Candidates::lookAt(const Bodies& bodies, const State& state, std::span<const BodyIndex> active,
                         std::span<const std::uint8_t> placed, Neighbours& neighbours, Broadphase& broadphase,
                         Workers& workers) {
     m_free.clear();
-    for (const BodyIndex i : stirring) {
+    for (const BodyIndex i : active) {
         m_kind[i] = kindOf(placed[i]);
         if (placed[i] == 0) m_free.push_back(i);
     }
     m_changed.clear();
-    if (!noteReach(bodies, state, stirring, neighbours)) neighbours.search(bodies, state, broadphase);
+    if (!noteReach(bodies, state, active, neighbours)) neighbours.search(bodies, state, broadphase);
     if (!shareReach(bodies, state, m_free, neighbours, workers)) neighbours.search(bodies, state, broadphase);
 }
 

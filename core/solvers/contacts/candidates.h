@@ -31,9 +31,9 @@ class Candidates {
     /// called once.
     void note(const Bodies& bodies, const State& state, std::span<const BodyIndex> members,
               std::span<const std::uint8_t> placed);
-    /// Looks at those members that stir, ascending: nothing of the others has changed, and all of them are
-    /// placed.
-    void lookAt(const Bodies& bodies, const State& state, std::span<const BodyIndex> stirring,
+    /// Looks at those members that are active, ascending: nothing of the others has changed, and all of them
+    /// are placed.
+    void lookAt(const Bodies& bodies, const State& state, std::span<const BodyIndex> active,
                 std::span<const std::uint8_t> placed, Neighbours& neighbours, Broadphase& broadphase,
                 Workers& workers = Workers::alone());
     /// The same where these bodies, ascending, which are not placed, have become members since.

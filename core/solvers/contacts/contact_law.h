@@ -8,14 +8,15 @@
 
 namespace carom {
 
-/// The w of the head comment, of what gravity adds to a velocity, and of `push`. At twice, a plate swings on
-/// bodies of a thousandth of its mass; at half, it takes twice as long to be lifted where it has sunk in.
+/// The parts of w in the head comment: of what gravity adds to a velocity, and of `push`, so that overlaps
+/// end without gravity, too. With both at twice, a plate swings on bodies of a thousandth of its mass; at
+/// half, it takes twice as long to be lifted where it has sunk in.
 inline constexpr double easyFalls = 10, easyPush = 0.5;
 
 /// rate, c and d of the head comment, and what bounds them.
 struct Softness {
     Wide rate, part, decay;
-    Wide yield, easy; ///< y [s], 10 |g| h [m/s]
+    Wide yield, easy; ///< y [s], w without its part of `push` [m/s]
 };
 
 /// The same for contacts with what cannot move, and for those between two that can, which are half as hard.

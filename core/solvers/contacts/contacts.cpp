@@ -27,7 +27,7 @@ SolverReport Contacts::rest(const SolverInput& input) {
 SolverReport Contacts::advance(const SolverInput& input) {
     const SolverReport report =
         input.part > 0 && m_members.empty() && m_flight.bodies().empty() ? rest(input) : move(input);
-    m_neighbours.settled().settle(m_stirring, [this](BodyIndex body) { return maySettle(body); });
+    m_neighbours.settled().settle(m_active, [this](BodyIndex body) { return maySettle(body); });
     m_neighbours.pass(input.substep);
     return report;
 }
@@ -74,7 +74,7 @@ SolverReport Contacts::move(const SolverInput& input) {
     m_coasting.move(input, m_refinement.lone());
     const bool isLast = input.part + 1 == input.parts;
     if (isLast) m_flight.end(input);
-    report.loss = findLoss(input.bodies, isLast ? input.bodies.mobileBodies : m_stirring, input.state);
+    report.loss = findLoss(input.bodies, isLast ? input.bodies.mobileBodies : m_active, input.state);
     report.integrate = m_watch.lap();
     return report;
 }
@@ -96,7 +96,7 @@ void Contacts::recall(const SolverMemory& memory) {
     m_base = persistent.base;
     m_backOff = persistent.backOff;
     m_brief.clear();
-    m_stirring.clear();
+    m_active.clear();
     m_flight.clear();
     m_neighbours.forget();
 }
@@ -173,7 +173,7 @@ void Contacts::enterForFrames(const SolverInput& input) {
 void Contacts::leaveMarked(const SolverInput& input) {
     m_left.clear();
     m_base.leaveMarked(stepped(input), m_found.manifolds(), m_leaving, m_left);
-    for (const BodyIndex i : m_leaving) m_neighbours.settled().rouse(i);
+    for (const BodyIndex i : m_leaving) m_neighbours.settled().wake(i);
     m_sort.sort(m_left, m_bodies.count());
     m_found.carryWith(m_left);
 }
@@ -223,8 +223,8 @@ void Contacts::moveStepped(const SolverInput& input, SolverReport& report) {
     for (BasePath* path : {&m_base, &m_brief})
         if (!path->isEmpty() && !report.loss)
             take(path->advance(stepped(input), m_found.manifolds()), report);
-    m_base.forEachMovedOn([this](BodyIndex body) { m_neighbours.settled().rouse(body); });
-    m_neighbours.settled().addRoused(m_stirring); // what moved on in this substep may not be calm
+    m_base.forEachMovedOn([this](BodyIndex body) { m_neighbours.settled().wake(body); });
+    m_neighbours.settled().addWoken(m_active); // what moved on in this substep may not be calm
     for (const IslandScheduler::Unfinished& unfinished : m_scheduler.unfinished()) {
         if (report.loss) return;
         const Island island = m_islands[unfinished.island];
@@ -234,7 +234,7 @@ void Contacts::moveStepped(const SolverInput& input, SolverReport& report) {
     if (report.loss) return;
     m_calm.note(input.bodies, input.state, m_passing, input.substep);
     for (const BodyIndex body : m_passing) m_refinement.waited(body);
-    for (const BodyIndex body : m_stirring) {
+    for (const BodyIndex body : m_active) {
         if (!m_base.has(body)) continue;
         m_refinement.waited(body);
         if (m_backOff[body] > 0) --m_backOff[body];
@@ -280,7 +280,7 @@ void Contacts::stepIsland(const SolverInput& input, const Island& island, double
 // to be larger enter it again.
 void Contacts::sleepWhatRests(const SolverInput& input) {
     m_entering.clear();
-    for (const BodyIndex i : m_stirring) // what has settled is calm
+    for (const BodyIndex i : m_active) // what has settled is calm
         if (m_base.has(i)) m_entering.push_back(i);
     m_calm.note(input.bodies, input.state, m_entering, input.parts * input.substep);
     const auto isCalm = [&](BodyIndex body) {
@@ -298,7 +298,7 @@ template<class Is>
 void Contacts::sleepMarked(const SolverInput& input, const Is& isCalm) {
     m_left.clear();
     m_base.leaveMarked(stepped(input), m_found.manifolds(), m_leaving, m_left);
-    for (const BodyIndex i : m_leaving) m_neighbours.settled().rouse(i);
+    for (const BodyIndex i : m_leaving) m_neighbours.settled().wake(i);
     m_sort.sort(m_left, m_bodies.count());
     std::sort(m_leaving.begin(), m_leaving.end());
     m_pairs.clear();

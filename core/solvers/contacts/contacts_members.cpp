@@ -14,9 +14,9 @@ void Contacts::findMembers(const SolverInput& input) {
         m_flight.choose(input, m_isOnSpring, m_base.blockOf(), m_members);
     else
         m_flight.advance(input);
-    listStirring(input);
+    listActive(input);
     if (!m_members.empty() || !m_flight.bodies().empty())
-        m_neighbours.update(input.bodies, input.state, {m_members, m_stirring}, input.gravity,
+        m_neighbours.update(input.bodies, input.state, {m_members, m_active}, input.gravity,
                             {input.substep, input.parts * input.substep}, input.broadphase);
     if (input.part == 0) {
         m_flight.start(input, m_neighbours, m_met);
@@ -28,7 +28,7 @@ void Contacts::findMembers(const SolverInput& input) {
     if (!m_met.empty()) addMembers(input, m_met);
     if (!m_base.isEmpty()) {
         if (input.part == 0) {
-            for (const BodyIndex i : m_stirring) // what has settled stands still
+            for (const BodyIndex i : m_active) // what has settled stands still
                 if (m_base.has(i) && m_backOff[i] == 0 && !m_base.hasStill(i)) m_base.mark(i);
             m_base.markOutgrown(m_found.manifolds());
         }
@@ -46,7 +46,7 @@ void Contacts::listMembers(const SolverInput& input) {
         if (m_woken.empty()) return;
         std::sort(m_woken.begin(), m_woken.end());
         insert(m_woken, m_members);
-        return insert(m_woken, m_stirring);
+        return insert(m_woken, m_active);
     }
     m_members.clear();
     for (const BodyIndex i : input.bodies.mobileBodies)
@@ -55,21 +55,21 @@ void Contacts::listMembers(const SolverInput& input) {
 
 // Lists the members that have not settled. Bodies settle in the first substep of a frame: in no other is
 // asked whether they need less room than they have.
-void Contacts::listStirring(const SolverInput& input) {
+void Contacts::listActive(const SolverInput& input) {
     SettledBodies& settled = m_neighbours.settled();
     const double frame = input.parts * input.substep;
     if (input.part == 0) m_isBaseUnchanged = m_base.isUnchanged(input.state);
     if (m_neighbours.asksAnew(frame) || !m_isBaseUnchanged || m_substep != input.substep || m_frame != frame)
-        settled.rouseAll();
+        settled.wakeAll();
     m_substep = input.substep;
     m_frame = frame;
-    if (input.part > 0) return settled.addRoused(m_stirring);
-    settled.list(m_members, m_stirring);
-    for (const BodyIndex i : m_stirring)
+    if (input.part > 0) return settled.addWoken(m_active);
+    settled.list(m_members, m_active);
+    for (const BodyIndex i : m_active)
         if (m_base.isStill(i)) settled.begin(i);
 }
 
-// Whether nothing will change of a body that stood still when the substep began, and has not been roused.
+// Whether nothing will change of a body that stood still when the substep began, and has not been woken.
 bool Contacts::maySettle(BodyIndex body) const {
     return m_base.isStill(body) && m_backOff[body] == 0 && !m_refinement.waits(body) &&
            m_isOnSpring[body] == 0 && !m_bodies.forces.actOn(body) && m_neighbours.maySettle(body);
@@ -90,7 +90,7 @@ bool Contacts::renewBase(const SolverInput& input) {
 void Contacts::joinReached(const SolverInput& input) {
     // Those that have settled could have reached the same when the frame began; what flies may have come.
     const bool isKnown = input.part > 0 && m_flight.bodies().empty();
-    m_changed = isKnown ? m_stirring : m_members;
+    m_changed = isKnown ? m_active : m_members;
     while (!m_changed.empty()) {
         const auto reachOf = [this](BodyIndex i) { return m_candidates.reach(i); };
         m_flight.spread(input, m_changed, m_neighbours, reachOf, m_met);
@@ -102,14 +102,14 @@ void Contacts::joinReached(const SolverInput& input) {
         addMembers(input, m_met);
         m_candidates.join(input.bodies, input.state, m_met, m_neighbours, input.broadphase, input.workers);
         m_changed.assign(m_candidates.changed().begin(), m_candidates.changed().end());
-        rouseChanged();
+        wakeChanged();
     }
 }
 
 // Their reach is not what it will be without those that they share it with.
-void Contacts::rouseChanged() {
-    for (const BodyIndex i : m_candidates.changed()) m_neighbours.settled().rouse(i);
-    m_neighbours.settled().addRoused(m_stirring);
+void Contacts::wakeChanged() {
+    for (const BodyIndex i : m_candidates.changed()) m_neighbours.settled().wake(i);
+    m_neighbours.settled().addWoken(m_active);
 }
 
 // Both ascend.
@@ -122,16 +122,16 @@ void Contacts::insert(std::span<const BodyIndex> bodies, std::vector<BodyIndex>&
 // `bodies` ascend.
 void Contacts::addMembers(const SolverInput& input, std::span<const BodyIndex> bodies) {
     insert(bodies, m_members);
-    insert(bodies, m_stirring);
+    insert(bodies, m_active);
     if (!m_neighbours.follow(input.bodies, input.state, bodies, input.gravity, input.substep))
         m_neighbours.search(input.bodies, input.state, input.broadphase);
 }
 
 void Contacts::coverMembers(const SolverInput& input) {
-    m_neighbours.settled().addRoused(m_stirring);
-    m_candidates.lookAt(input.bodies, input.state, m_stirring, m_base.blockOf(), m_neighbours,
-                        input.broadphase, input.workers);
-    rouseChanged();
+    m_neighbours.settled().addWoken(m_active);
+    m_candidates.lookAt(input.bodies, input.state, m_active, m_base.blockOf(), m_neighbours, input.broadphase,
+                        input.workers);
+    wakeChanged();
 }
 
 // Wakes sleeping bodies that have been given a velocity.

@@ -90,12 +90,12 @@ class Contacts final : public Solver {
     SolverReport move(const SolverInput& input);
     void findMembers(const SolverInput& input);
     void listMembers(const SolverInput& input);
-    void listStirring(const SolverInput& input);
+    void listActive(const SolverInput& input);
     bool maySettle(BodyIndex body) const;
     bool renewBase(const SolverInput& input);
     void wakeMoved(const SolverInput& input);
     void joinReached(const SolverInput& input);
-    void rouseChanged();
+    void wakeChanged();
     void insert(std::span<const BodyIndex> bodies, std::vector<BodyIndex>& to);
     void wakeTouched(const SolverInput& input, std::span<const BodyIndex> members);
     void addMembers(const SolverInput& input, std::span<const BodyIndex> bodies);
@@ -152,7 +152,7 @@ class Contacts final : public Solver {
     Calm m_calm;
     std::vector<std::uint8_t> m_isOnSpring; // by body: such a body never counts as calm
     std::vector<BodyIndex> m_members;       // mobile bodies that neither sleep nor fly
-    std::vector<BodyIndex> m_stirring;      // of these, ascending: those that have not settled
+    std::vector<BodyIndex> m_active;        // of these, ascending: those that have not settled
     double m_substep = 0, m_frame = 0;      // when those settled that have [s]
     bool m_isBaseUnchanged = false;         // when the frame began
     std::vector<BodyIndex> m_entering, m_passing, m_woken, m_met, m_changed, m_joined, m_leaving;

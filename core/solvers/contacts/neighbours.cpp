@@ -80,7 +80,7 @@ void Neighbours::update(const Bodies& bodies, const State& state, const Followed
                         const Times& times, Broadphase& broadphase) {
     m_frame = times.frame;
     narrow(bodies, list.all);
-    if (follow(bodies, state, list.stirring, gravity, times.duration)) return;
+    if (follow(bodies, state, list.active, gravity, times.duration)) return;
     // A neighbour may need a larger skin of a body than the body itself: a skin that was asked for will be
     // asked for again.
     const auto renew = [this](BodyIndex i) {
@@ -184,7 +184,7 @@ void Neighbours::stay(std::span<const BodyIndex> list) {
 
 void Neighbours::forget() {
     m_isForgotten = true;
-    m_settled.rouseAll();
+    m_settled.wakeAll();
     m_outrun.clear();
 }
 
@@ -250,7 +250,7 @@ void Neighbours::searchForOutrun(const Bodies& bodies, const State& state) {
     for (const BodyIndex i : m_outrun) {
         if (std::exchange(m_isOutrun[i], std::uint8_t{1}) != 0) continue;
         m_anew.push_back(i);
-        m_settled.rouse(i);
+        m_settled.wake(i);
         renewSkin(bodies, state, i);
         m_blocks.set(m_number[i], m_boxes[m_number[i]]);
     }
@@ -315,7 +315,7 @@ void Neighbours::addFound(const Bodies& bodies, const Finds& finds) {
 void Neighbours::searchAll(const Bodies& bodies, const State& state, Broadphase& broadphase) {
     ++m_searches;
     m_isForgotten = false;
-    m_settled.rouseAll();
+    m_settled.wakeAll();
     m_outrun.clear();
     m_areBlocksBuilt = false;
     m_workers->forRanges(bodies.mobileBodies.size(), fewRenewed, [&](std::size_t begin, std::size_t end) {

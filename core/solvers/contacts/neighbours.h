@@ -93,15 +93,15 @@ class Neighbours {
     }
     /// Bodies to be followed, and those of them that have not settled.
     struct Followed {
-        std::span<const BodyIndex> all, stirring;
+        std::span<const BodyIndex> all, active;
     };
     struct Times {
         double duration = 0, frame = 0; ///< [s]
     };
-    /// The same where only those that stir are looked at: of the others, nothing has changed.
+    /// The same where only those that are active are looked at: of the others, nothing has changed.
     void update(const Bodies& bodies, const State& state, const Followed& list, const Vec3& gravity,
                 const Times& times, Broadphase& broadphase);
-    /// Whether the next update() asks anew of all bodies how much room they need: so all must stir.
+    /// Whether the next update() asks anew of all bodies how much room they need: so all must be active.
     bool asksAnew(double frame) const { return m_now >= m_narrowed + framesOfCourse * frame; }
     /// Bodies of which nothing that is kept here changes: their courses have ended.
     SettledBodies& settled() { return m_settled; }

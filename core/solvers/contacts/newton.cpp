@@ -19,8 +19,9 @@ constexpr double kappaWarm = 1e2, kappaLeast = 1e-2, kappaMost = 1e9, kappaGrowt
 /// A warm start is poor if the error of the first inner problem falls slowly after so many steps: begin again
 /// with κ = 1. At half, good guesses are given up; at twice, poor ones cost twice as many factorisations.
 constexpr int fewSteps = 6;
-/// Where the error no longer falls but is within this factor of the tolerance, rounding is what is left. At
-/// half, problems that are as good as solved go on to the limit of steps; at twice, larger errors are left.
+/// Where the error no longer falls but is within this factor of the tolerance, or within κ times the
+/// rounding, rounding is what is left; the solution is good only in the first case. At half, problems that
+/// are as good as solved go on to the limit of steps; at twice, larger errors are left.
 constexpr double stallNearby = 10;
 /// The inner problem is solved to this part of the tolerance. At half, rounding hinders it earlier; at twice,
 /// its error is a fifth of the tolerance, and more rounds are made.
@@ -263,8 +264,10 @@ bool NewtonSolver::minimise(ContactProblem& problem, double tolerance, double mo
         const bool isSlow = error > slowFall * before;
         if (steps.taken >= steps.surely && isSlow) return false;
         stalled = error > 0.5 * best ? stalled + 1 : 0;
-        if (stalled == 0) best = error;
-        if (stalled == 0) saveVelocities(problem, m_best);
+        if (stalled == 0) {
+            best = error;
+            saveVelocities(problem, m_best);
+        }
         if (stalled >= mostStalled && best <= std::max(stallNearby * tolerance, m_kappa * m_rounding)) {
             takeVelocities(m_best, problem);
             steps.limit = errorAt(problem);

@@ -19,7 +19,6 @@ class PairSort {
     void sort(std::vector<Entry>& entries, std::size_t bodies) {
         if (entries.empty()) return;
         m_first.assign(bodies + 1, 0);
-        if (entries.empty()) return;
         m_second.assign(bodies + 1, 0);
         for (const Entry& entry : entries) {
             ++m_first[entry.pair.a + 1];

@@ -94,8 +94,9 @@ class Refinement {
     std::span<const std::uint32_t> stepped() const { return m_base; } ///< ascending
     /// In how many substeps an island that is stepped is to be tried again.
     std::uint8_t backOffOf(std::uint32_t island) const { return m_backOff[island]; }
-    /// A body has been on the base path for a substep.
+    /// Whether a body is left to the base path for some substeps before it is tried again.
     bool waits(BodyIndex body) const { return m_wait[body] > 0; }
+    /// A body has been on the base path for a substep.
     void waited(BodyIndex body) {
         if (m_wait[body] > 0) --m_wait[body];
     }

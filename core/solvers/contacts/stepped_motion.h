@@ -250,7 +250,8 @@ class SteppedMotion {
         Watched watched;  ///< its gap is 0 if the pair must be updated [m]
         double slack = 0; ///< within it they may touch however slow they are [m]
         bool hasPoints = false;
-        bool hasRows = false; ///< it can meet: the gap is that of its points without rows; 0 if all have some
+        bool lacksRows =
+            false; ///< it can meet: the gap is that of its points without rows; 0 if all have some
         double heldDepth = -1; ///< overlap of two that stand still in contact; below 0 if they do not [m]
     };
     /// The law of the contact of a pair, once it has had one.

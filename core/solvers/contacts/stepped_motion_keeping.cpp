@@ -77,8 +77,8 @@ void SteppedMotion::replaceRows(const ManifoldInput& here, Manifolds& manifolds)
     refillRows(here);
     for (const std::uint32_t entry : m_added) {
         PlacedManifold contact = placed(here, manifolds[m_entries[entry].place]);
-        for (PointInput& point : contact.points) point.impulse *= m_step; // from forces
-        contact.torque *= m_step;
+        for (PointInput& point : contact.points)
+            point.impulse *= m_step; // from forces; end() does the torque
         m_rows.add(rowOf(here.bodies, entry, contact), entry, m_bodies);
     }
 }

@@ -168,14 +168,14 @@ SteppedMotion::Seen SteppedMotion::see(const ManifoldInput& here, std::uint32_t 
         rows = oldRows;
     }
     const bool isFresh = std::exchange(entry.isFresh, false);
-    if (isFresh || open.hasRows || !staysOpen(open, fall)) {
+    if (isFresh || open.lacksRows || !staysOpen(open, fall)) {
         PersistentManifold& manifold = manifolds[entry.place];
         if (isFresh)
             openIfApart(here, manifold);
         else
             collided += updateManifold(here, entry.margin, manifold) ? 1 : 0;
         open.watched.gap = 0;
-        open.hasRows = false;
+        open.lacksRows = false;
         if (!manifold.open) {
             const auto [a, b] = numbersOf(manifold.pair);
             const Vec3 normal = normalOf(here, manifold);
@@ -185,7 +185,7 @@ SteppedMotion::Seen SteppedMotion::see(const ManifoldInput& here, std::uint32_t 
             if (std::isfinite(near.next)) {
                 open = openPairOf(here, number, manifolds, normal);
                 open.watched.gap = near.next;
-                open.hasRows = true;
+                open.lacksRows = true;
             }
             return {.number = number,
                     .a = a,

@@ -66,9 +66,9 @@ struct StepSettings {
     /// fewer balls sway (E > r/4 above).
     double damping = 10;
     double resting = 0; ///< closing speeds up to this do not rebound [m/s]
-    /// y [s]; by default springs give way as they do.
+    /// y [s]; with the default, f is that of a spring under any load.
     double yield = 1e30;
-    double fall = 0; ///< |g| h [m/s]
+    double fall = 0; ///< |g| h [m/s]; e depends on `push` alone where it is 0
 };
 
 /// Stores the closing speeds of rows without an impulse. True if there are any.
