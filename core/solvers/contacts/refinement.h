@@ -79,7 +79,7 @@ class Refinement {
     static constexpr double mostFloors = 2;
     /// A frame takes so many floors at most, where all its islands come in one substep. Twice or half doubles
     /// or halves the longest frame of many islands, and what each of them may take.
-    static constexpr double mostShares = 16;
+    static constexpr double mostShares = 4;
 
     explicit Refinement(std::size_t bodies)
         : m_used(bodies, 0.0), m_wait(bodies, 0), m_failures(bodies, 0), m_stepped(bodies, 0),
