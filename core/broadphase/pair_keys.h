@@ -17,8 +17,8 @@ constexpr PairKey pairKey(std::uint32_t i, std::uint32_t j) {
 constexpr std::uint32_t firstOf(PairKey key) { return static_cast<std::uint32_t>(key >> 32); }
 constexpr std::uint32_t secondOf(PairKey key) { return static_cast<std::uint32_t>(key); }
 
-/// Sorts pairs into the order that all algorithms share, in O(boxes + pairs): a bucket sort with one bucket
-/// for each first entry, and an insertion sort of the buckets, which are short.
+/// Sorts pairs into the order that all algorithms share, in O(boxes + pairs): by counting, first by the
+/// second entry, then by the first, where pairs keep the order they have.
 class PairOrder {
   public:
     /// Sorts `keys` and leaves out repetitions and pairs of two immobile boxes.
@@ -27,8 +27,8 @@ class PairOrder {
     std::size_t bytes() const;
 
   private:
-    std::vector<std::uint32_t> m_binEnds; ///< by first entry
-    std::vector<PairKey> m_binned;
+    std::vector<std::uint32_t> m_firstEnds, m_secondEnds; ///< by entry
+    std::vector<PairKey> m_bySecond;
 };
 
 /// The pairs of bodies that ordered keys stand for.

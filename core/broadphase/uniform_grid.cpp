@@ -217,9 +217,15 @@ void UniformGrid::compare(std::uint32_t place, const Aabb& box) {
     m_counters.tested += room - wideLanes;
     if (m_hits.size() < room) m_hits.resize(room);
     const std::size_t hits = overlapping(m_boxes, box, m_ranges, m_hits.data());
-    for (std::size_t k = 0; k < hits; ++k)
-        if (m_hits[k] != place) // on a small ring it may find itself
-            m_found.push_back(pairKey(m_placed[place].entry, m_placed[m_hits[k]].entry));
+    const std::uint32_t entry = m_placed[place].entry;
+    const std::size_t before = m_found.size();
+    m_found.resize(before + hits);
+    PairKey* to = m_found.data() + before;
+    for (std::size_t k = 0; k < hits; ++k) {
+        *to = pairKey(entry, m_placed[m_hits[k]].entry);
+        to += static_cast<std::size_t>(m_hits[k] != place); // on a small ring it may find itself
+    }
+    m_found.resize(static_cast<std::size_t>(to - m_found.data()));
 }
 
 std::vector<Aabb> UniformGrid::structure() const {
