@@ -11,6 +11,18 @@
 namespace carom {
 
 void BoxBlocks::build(std::span<const Aabb> boxes) {
+    if (boxes.size() == m_entry.size() && !boxes.empty()) {
+        fill(boxes);
+        if (!areWorn()) return;
+    }
+    sort(boxes);
+    fill(boxes);
+    m_widths.clear();
+    if (m_levels.size() < 2) return;
+    for (std::size_t block = 0; block < m_levels[1].count; ++block) m_widths.push_back(widthOf(block));
+}
+
+void BoxBlocks::sort(std::span<const Aabb> boxes) {
     const std::size_t count = boxes.size();
     m_place.resize(count);
     m_entry.resize(count);
@@ -28,8 +40,13 @@ void BoxBlocks::build(std::span<const Aabb> boxes) {
         const std::uint32_t entry = m_centres[place].entry;
         m_place[entry] = static_cast<std::uint32_t>(place);
         m_entry[place] = entry;
-        m_levels[0].boxes.set(place, boxes[entry]);
     }
+}
+
+// Puts the boxes in their places, and boxes around blocks.
+void BoxBlocks::fill(std::span<const Aabb> boxes) {
+    for (std::size_t place = 0; place < boxes.size(); ++place)
+        m_levels[0].boxes.set(place, boxes[m_entry[place]]);
     for (std::size_t level = 1; level < m_levels.size(); ++level) {
         const BoxColumns& below = m_levels[level - 1].boxes;
         for (std::size_t block = 0; block < m_levels[level].count; ++block) {
@@ -39,6 +56,17 @@ void BoxBlocks::build(std::span<const Aabb> boxes) {
             m_levels[level].boxes.set(block, all);
         }
     }
+}
+
+// The sum of its three widths [m].
+double BoxBlocks::widthOf(std::size_t block) const { return m_levels[1].boxes.box(block).size().sum(); }
+
+// One box that moves far is in one block: its own.
+bool BoxBlocks::areWorn() const {
+    std::size_t count = 0;
+    for (std::size_t block = 0; block < m_widths.size(); ++block)
+        count += static_cast<std::size_t>(widthOf(block) > worn * m_widths[block]);
+    return count * fewWorn > m_widths.size();
 }
 
 void BoxBlocks::makeLevels(std::size_t count) {

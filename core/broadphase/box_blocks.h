@@ -16,7 +16,8 @@ namespace carom {
 /// those blocks that it overlaps, from the largest down: O(log n + hits).
 class BoxBlocks {
   public:
-    /// Sorts the boxes into blocks: O(n log n).
+    /// Takes all boxes anew. Sorts them into blocks, O(n log n), unless those of the last time, if there were
+    /// as many boxes, are still about as good, O(n).
     void build(std::span<const Aabb> boxes);
     /// Replaces a box. Its blocks only grow: what moves far makes searches slower until the next build().
     void set(std::size_t entry, const Aabb& box);
@@ -38,11 +39,19 @@ class BoxBlocks {
         BoxColumns boxes;
         std::size_t count = 0;
     };
+    /// Boxes are sorted anew where more than one block in so many has become wider by this factor.
+    static constexpr std::size_t fewWorn = 8;
+    static constexpr double worn = 1.5;
+
     struct Centre {
         Vec3 at = Vec3::Zero(); // [m]
         std::uint32_t entry = 0;
     };
     void makeLevels(std::size_t count);
+    void sort(std::span<const Aabb> boxes);
+    void fill(std::span<const Aabb> boxes);
+    bool areWorn() const;
+    double widthOf(std::size_t block) const;
     static void arrange(std::span<Centre> centres, const Aabb& around);
     BoxRange rangeOf(std::size_t level, std::size_t block) const;
 
@@ -50,6 +59,7 @@ class BoxBlocks {
     std::vector<std::uint32_t> m_place; // by entry: where its box is in the first level
     std::vector<std::uint32_t> m_entry; // and back
     std::vector<Centre> m_centres;      // by place
+    std::vector<double> m_widths;       // of blocks of boxes when these were sorted [m]
 };
 
 } // namespace carom
