@@ -53,12 +53,12 @@ FreeFlight::FreeFlight(const Bodies& bodies)
 void FreeFlight::clear() {
     for (const BodyIndex i : m_bodies) m_kind[i] = Kind::Left;
     m_bodies.clear();
+    m_meeting.clear();
 }
 
 // How far the surface of what does not look the same from all sides may turn in the frame and after a strike
 // at its end [m]. It may spin faster about another axis.
 double FreeFlight::turnInFrame(const SolverInput& input, BodyIndex body) const {
-    if (isSphere(input.bodies, body)) return 0;
     const Vec3& inverse = input.bodies.inverseInertia[body];
     const double time = (input.parts + Neighbours::reachFactor) * input.substep;
     const double spin = inverse.maxCoeff() / inverse.minCoeff() * input.state.angularVelocity[body].norm();
@@ -109,10 +109,12 @@ double FreeFlight::timeOfMeetingUnmoved(const SolverInput& input, BodyIndex body
     const double h = input.substep, time = input.parts * h;
     if (const Wall* wall = std::get_if<Wall>(&input.bodies.shape[other])) {
         const double within = input.bodies.boundingRadius[body] + leastRoom(input.bodies, body) + m_fall;
-        for (int part = 0; part < input.parts; ++part)
-            if (distanceTo(*wall, placeIn(input, body, part)) <= within ||
-                distanceTo(*wall, placeIn(input, body, part + 1)) <= within)
-                return part * h;
+        bool isWithin = distanceTo(*wall, placeIn(input, body, 0)) <= within;
+        for (int part = 0; part < input.parts; ++part) {
+            const bool isThen = distanceTo(*wall, placeIn(input, body, part + 1)) <= within;
+            if (isWithin || isThen) return part * h;
+            isWithin = isThen;
+        }
         return noMeeting;
     }
     const auto meetingOf = [&](const Vec3& place, const Vec3& velocity, double duration) {
@@ -131,6 +133,7 @@ double FreeFlight::timeOfMeetingUnmoved(const SolverInput& input, BodyIndex body
 void FreeFlight::choose(const SolverInput& input, std::span<const std::uint8_t> isOnSpring,
                         std::span<const std::uint8_t> isPlaced, std::vector<BodyIndex>& members) {
     m_bodies.clear();
+    m_meeting.clear();
     m_struck.clear();
     std::fill(m_turn.begin(), m_turn.end(), 0.0);
     std::fill(m_kind.begin(), m_kind.end(), Kind::Left);
@@ -152,9 +155,12 @@ void FreeFlight::start(const SolverInput& input, Neighbours& neighbours, std::ve
     const double time = input.parts * input.substep, fall = fallIn(input, time);
     m_fall = fallIn(input, input.substep);
     bool covered = true;
+    Start* const starts = m_start.data();
+    const Pose* const poses = input.state.pose.data();
+    const Vec3* const velocities = input.state.velocity.data();
     for (const BodyIndex i : m_bodies) {
-        m_start[i] = {input.state.pose[i].position, input.state.velocity[i]};
-        m_turn[i] = turnInFrame(input, i);
+        starts[i] = {poses[i].position, velocities[i]};
+        m_turn[i] = isSphere(input.bodies, i) ? 0 : turnInFrame(input, i);
         m_due[i] = noMeeting;
         covered =
             neighbours.coversFlight(input.bodies, input.state, i, {roomOf(input, i), time, fall}) && covered;
@@ -171,8 +177,13 @@ void FreeFlight::start(const SolverInput& input, Neighbours& neighbours, std::ve
                 if (fly) lowerTo(m_due[k], meeting);
             }
     });
+    m_meeting.clear();
     std::erase_if(m_bodies, [&](BodyIndex i) {
-        if (m_due[i] != 0) return false;
+        if (m_due[i] == noMeeting) return false;
+        if (m_due[i] != 0) {
+            m_meeting.push_back(i);
+            return false;
+        }
         m_kind[i] = Kind::Member;
         landed.push_back(i);
         return true;
@@ -182,10 +193,13 @@ void FreeFlight::start(const SolverInput& input, Neighbours& neighbours, std::ve
 void FreeFlight::advance(const SolverInput& input) {
     const double time = input.part * input.substep;
     const Vec3 gained = time * input.gravity, gainedInMean = 0.5 * time * input.gravity;
+    const Start* const starts = m_start.data();
+    Pose* const poses = input.state.pose.data();
+    Vec3* const velocities = input.state.velocity.data();
     for (const BodyIndex i : m_bodies) { // placeIn(), where the time is the same for all
-        const Start& start = m_start[i];
-        input.state.pose[i].position = start.position + time * (start.velocity + gainedInMean);
-        input.state.velocity[i] = start.velocity + gained;
+        const Start& start = starts[i];
+        poses[i].position = start.position + time * (start.velocity + gainedInMean);
+        velocities[i] = start.velocity + gained;
     }
 }
 
@@ -194,8 +208,8 @@ void FreeFlight::findDue(const SolverInput& input, std::vector<BodyIndex>& due) 
     for (const BodyIndex i : m_struck) m_kind[i] = Kind::Member;
     m_struck.clear();
     const double start = input.part * input.substep, end = start + input.substep;
-    for (const BodyIndex i : m_bodies) {
-        if (!(m_due[i] < end)) continue;
+    for (const BodyIndex i : m_meeting) {
+        if (!has(i) || !(m_due[i] < end)) continue; // others may have been struck since
         m_kind[i] = Kind::Member;
         m_part[i] = input.part;
         m_time[i] = std::max(0.0, m_due[i] - start);
@@ -255,9 +269,15 @@ void FreeFlight::findHits(const SolverInput& input, std::size_t number, const Ne
         return input.state.pose[body].position +
                time * (input.state.velocity[body] + 0.5 * time * input.gravity);
     };
+    const auto isFlying = [this](BodyIndex k) { return has(k) || m_kind[k] == Kind::Struck; };
+    const Near near = neighbours.around(i, input.substep);
+    Near::Iterator next = near.begin();
+    while (next != near.end() && !isFlying(*next)) ++next;
+    if (next == near.end()) return; // nearly always
     const Vec3 from = placeAt(i), comesBy = (time + 0.5 * left) * input.gravity;
-    for (const BodyIndex k : neighbours.around(i, input.substep)) {
-        if ((!has(k) && m_kind[k] != Kind::Struck) || isStruckBefore(k, by)) continue;
+    for (; next != near.end(); ++next) {
+        const BodyIndex k = *next;
+        if (!isFlying(k) || isStruckBefore(k, by)) continue;
         const Vec3 between = placeAt(k) - from;
         const double contact = touching(input.bodies, i, k);
         const double meeting =

@@ -130,6 +130,7 @@ class FreeFlight {
 
     double m_fall = 0; // how far what flies comes by gravity in a substep [m]
     std::vector<BodyIndex> m_bodies;
+    std::vector<BodyIndex> m_meeting; // those that flew when the frame began and meet something in it
     std::vector<Strike> m_strikes;
     std::vector<Hit> m_hits;         // of a round of strikes
     std::vector<BodyIndex> m_struck; // of this kind

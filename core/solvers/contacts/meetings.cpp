@@ -41,6 +41,14 @@ CAROM_INLINE WideCourse gather(const Meetings& of, const Four& four) {
     return course;
 }
 
+CAROM_INLINE WideCourse inAllLanes(const Course& one, double extent) {
+    return {{wideOf(one.place.x()), wideOf(one.place.y()), wideOf(one.place.z())},
+            {wideOf(one.velocity.x()), wideOf(one.velocity.y()), wideOf(one.velocity.z())},
+            wideOf(one.begins),
+            wideOf(one.ends),
+            wideOf(extent)};
+}
+
 /// Four spans of time.
 struct WideMeeting {
     Wide from = wideOf(std::numeric_limits<double>::infinity()), until = -from;
@@ -59,6 +67,7 @@ CAROM_INLINE WideMeeting meetingOf(const WideCourse& a, const WideCourse& b, Wid
     Wide excess = dot(between, between) - within;
     for (const Wide& end : {smaller(a.ends, b.ends), larger(a.ends, b.ends)}) {
         const Lanes isLater = end > time;
+        if (!anyLane(isLater)) continue; // most end together
         const Wide3 velocity = b.velocityAt(time) - a.velocityAt(time);
         const Wide duration = isLater ? end - time : zero;
         const Wide3 then = between + duration * velocity;
@@ -78,14 +87,26 @@ CAROM_INLINE WideMeeting meetingOf(const WideCourse& a, const WideCourse& b, Wid
     return meeting;
 }
 
+CAROM_INLINE void write(const WideMeeting& meeting, TimeSpan* to) {
+    for (int lane = 0; lane < wideLanes; ++lane) to[lane] = {meeting.from[lane], meeting.until[lane]};
+}
+
 CAROM_WIDE void findByFour(const Meetings& of, const BodyPair* pairs, std::size_t count, TimeSpan* meetings) {
     for (std::size_t k = 0; k < count; k += wideLanes) {
         const BodyPair* four = pairs + k;
-        const WideMeeting meeting =
-            meetingOf(gather(of, {four[0].a, four[1].a, four[2].a, four[3].a}),
-                      gather(of, {four[0].b, four[1].b, four[2].b, four[3].b}), wideOf(of.time));
-        for (int lane = 0; lane < wideLanes; ++lane)
-            meetings[k + static_cast<std::size_t>(lane)] = {meeting.from[lane], meeting.until[lane]};
+        write(meetingOf(gather(of, {four[0].a, four[1].a, four[2].a, four[3].a}),
+                        gather(of, {four[0].b, four[1].b, four[2].b, four[3].b}), wideOf(of.time)),
+              meetings + k);
+    }
+}
+
+CAROM_WIDE void findByFourOf(const Meetings& of, BodyIndex body, const BodyIndex* others, std::size_t count,
+                             TimeSpan* meetings) {
+    const WideCourse course = inAllLanes(of.courses[body], of.extents[body]);
+    for (std::size_t k = 0; k < count; k += wideLanes) {
+        const BodyIndex* four = others + k;
+        write(meetingOf(course, gather(of, {four[0], four[1], four[2], four[3]}), wideOf(of.time)),
+              meetings + k);
     }
 }
 
@@ -98,6 +119,13 @@ void Meetings::find(std::span<const BodyPair> pairs, TimeSpan* meetings) const {
         const auto [a, b] = pairs[k];
         meetings[k] = meetingOf(courses[a], courses[b], time, extents[a] + extents[b]);
     }
+}
+
+void Meetings::findOf(BodyIndex body, std::span<const BodyIndex> others, TimeSpan* meetings) const {
+    const std::size_t byFour = others.size() - others.size() % wideLanes;
+    findByFourOf(*this, body, others.data(), byFour, meetings);
+    for (std::size_t k = byFour; k < others.size(); ++k)
+        meetings[k] = meetingOf(courses[body], courses[others[k]], time, extents[body] + extents[others[k]]);
 }
 
 } // namespace carom

@@ -17,6 +17,8 @@ struct Meetings {
 
     /// Writes as many as there are pairs.
     void find(std::span<const BodyPair> pairs, TimeSpan* meetings) const;
+    /// The same of the pairs of one body with others.
+    void findOf(BodyIndex body, std::span<const BodyIndex> others, TimeSpan* meetings) const;
 };
 
 } // namespace carom

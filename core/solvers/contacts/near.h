@@ -10,19 +10,20 @@
 
 namespace carom {
 
-/// Somebody in a body's list of neighbours, and when the two may be near each other. The times are rounded
-/// outwards, so that half the memory is enough for them.
+/// Times that are not negative [s], rounded outwards: half the memory is enough for them, and they are
+/// compared as they are.
+inline constexpr float roundingOfTimes = 0x1p-22F;
+inline float roundedDown(double time) { return static_cast<float>(time) * (1 - roundingOfTimes); }
+inline float roundedUp(double time) { return static_cast<float>(time) * (1 + roundingOfTimes); }
+
+/// Somebody in a body's list of neighbours, and when the two may be near each other.
 struct Neighbour {
     BodyIndex body = 0;
     float from = 0, until = 0; ///< [s]
 
     Neighbour() = default;
     Neighbour(BodyIndex who, const TimeSpan& when)
-        : body(who), from(static_cast<float>(when.from) * (1 - rounding)),
-          until(static_cast<float>(when.until) * (1 + rounding)) {}
-
-  private:
-    static constexpr float rounding = 0x1p-22F;
+        : body(who), from(roundedDown(when.from)), until(roundedUp(when.until)) {}
 };
 
 /// Those of a list that may be near within a span of time: a range of their indices.
@@ -33,8 +34,8 @@ class Near {
         using difference_type = std::ptrdiff_t;
         using value_type = BodyIndex;
         Iterator() = default;
-        Iterator(const Neighbour* at, const Neighbour* end, const TimeSpan& when)
-            : m_at(at), m_end(end), m_when(when) {
+        Iterator(const Neighbour* at, const Neighbour* end, float from, float until)
+            : m_at(at), m_end(end), m_from(from), m_until(until) {
             skip();
         }
         BodyIndex operator*() const { return m_at->body; }
@@ -48,19 +49,20 @@ class Near {
 
       private:
         void skip() {
-            while (m_at != m_end && (m_at->from > m_when.until || m_at->until < m_when.from)) ++m_at;
+            while (m_at != m_end && (m_at->from > m_until || m_at->until < m_from)) ++m_at;
         }
         const Neighbour *m_at = nullptr, *m_end = nullptr;
-        TimeSpan m_when;
+        float m_from = 0, m_until = 0;
     };
 
-    Near(std::span<const Neighbour> all, const TimeSpan& when) : m_all(all), m_when(when) {}
-    Iterator begin() const { return {m_all.data(), m_all.data() + m_all.size(), m_when}; }
+    Near(std::span<const Neighbour> all, const TimeSpan& when)
+        : m_all(all), m_from(roundedDown(when.from)), m_until(roundedUp(when.until)) {}
+    Iterator begin() const { return {m_all.data(), m_all.data() + m_all.size(), m_from, m_until}; }
     std::default_sentinel_t end() const { return {}; }
 
   private:
     std::span<const Neighbour> m_all;
-    TimeSpan m_when;
+    float m_from, m_until;
 };
 
 } // namespace carom

@@ -206,6 +206,15 @@ bool Neighbours::coversFlight(const Bodies& bodies, const State& state, BodyInde
                               const Flight& flight) {
     const auto [room, time, fall] = flight;
     const Course& course = m_course[body];
+    if (std::holds_alternative<Sphere>(bodies.shape[body]) && m_now + time <= course.ends) {
+        // The usual case of what is computed below; what is not asked for here is asked for in the end.
+        const Vec3 place = course.place + (m_now - course.begins) * course.velocity;
+        const double moved = (state.pose[body].position - place).norm();
+        const double leaves = time * (state.velocity[body] - course.velocity).norm() + fall;
+        m_drift[body] = fall;
+        m_moved[body] = moved;
+        if (moved + leaves + room <= m_skin[body]) return true;
+    }
     noteMoved(bodies, state, body);
     m_drift[body] = turnIn(bodies, state, body, m_frame) + fall;
     const double leaves = time * (state.velocity[body] - course.velocityAt(m_now)).norm() + fall;
@@ -255,17 +264,16 @@ void Neighbours::searchForOutrun(const Bodies& bodies, const State& state) {
         m_blocks.set(m_number[i], m_boxes[m_number[i]]);
     }
     m_outrun.clear();
+    m_before.clear();
     for (const BodyIndex i : m_anew) {
-        for (const Neighbour& neighbour : m_around[i]) {
-            const BodyIndex k = neighbour.body;
-            if (bodies.mobile[k] == 0 || m_isOutrun[k] != 0) continue;
-            m_around[k].erase(placeIn(m_around[k], i));
-            --m_ends;
-        }
+        for (const Neighbour& neighbour : m_around[i])
+            if (bodies.mobile[neighbour.body] != 0 && m_isOutrun[neighbour.body] == 0)
+                m_before.push_back({i, neighbour.body});
         m_ends -= m_around[i].size();
         m_around[i].clear();
     }
     m_finds.pairs.clear();
+    m_finds.meetings.clear();
     m_workers->forLists(
         m_anew.size(), fewFound, m_finds,
         [&](std::size_t begin, std::size_t end, Finds& finds) {
@@ -277,20 +285,48 @@ void Neighbours::searchForOutrun(const Bodies& bodies, const State& state) {
         for (const BodyIndex i : std::span(m_anew).subspan(begin, end - begin))
             std::ranges::sort(m_around[i], {}, &Neighbour::body);
     });
+    dropLost();
     for (const BodyIndex i : m_anew) m_isOutrun[i] = 0;
+}
+
+// Most neighbours of a body are found again: addFound() brings these up to date where they stand. The others
+// are taken out here.
+void Neighbours::dropLost() {
+    auto at = m_before.begin();
+    for (const BodyIndex i : m_anew) {
+        auto found = m_around[i].begin();
+        const auto end = m_around[i].end();
+        for (; at != m_before.end() && at->a == i; ++at) { // both ascend
+            while (found != end && found->body < at->b) ++found;
+            if (found != end && found->body == at->b) continue;
+            m_around[at->b].erase(placeIn(m_around[at->b], i));
+            --m_ends;
+        }
+    }
 }
 
 // What bodies that have moved beyond the list may meet. A pair of two such bodies is found with the smaller
 // one.
 void Neighbours::findAround(const Bodies& bodies, std::span<const BodyIndex> list, Finds& finds) const {
-    for (const BodyIndex i : list)
-        for (const std::uint32_t entry : m_blocks.overlapping(m_boxes[m_number[i]], finds.search)) {
-            const BodyIndex k = bodies.bounded[entry];
-            if (k < i && m_isOutrun[k] == 0) finds.pairs.push_back({k, i});
-            if (k > i) finds.pairs.push_back({i, k});
+    const Meetings meetings = meetingsOfSkins();
+    for (const BodyIndex i : list) {
+        const std::span<const std::uint32_t> entries =
+            m_blocks.overlapping(m_boxes[m_number[i]], finds.search);
+        finds.others.resize(entries.size());
+        finds.meetingsOfOne.resize(entries.size());
+        BodyIndex* to = finds.others.data();
+        for (const std::uint32_t entry : entries) {
+            *to = bodies.bounded[entry];
+            to += static_cast<std::size_t>(*to > i || (*to < i && m_isOutrun[*to] == 0));
         }
-    finds.meetings.resize(finds.pairs.size());
-    meetingsOfSkins().find(finds.pairs, finds.meetings.data());
+        const auto others = std::span(finds.others.data(), to);
+        meetings.findOf(i, others, finds.meetingsOfOne.data());
+        for (std::size_t n = 0; n < others.size(); ++n) {
+            if (finds.meetingsOfOne[n].isEmpty()) continue;
+            finds.pairs.push_back({std::min(i, others[n]), std::max(i, others[n])});
+            finds.meetings.push_back(finds.meetingsOfOne[n]);
+        }
+    }
     for (const BodyIndex w : bodies.walls)
         for (const BodyIndex i : list) {
             if (!comesNear(bodies, i, w)) continue;
@@ -301,12 +337,22 @@ void Neighbours::findAround(const Bodies& bodies, std::span<const BodyIndex> lis
 
 void Neighbours::addFound(const Bodies& bodies, const Finds& finds) {
     for (std::size_t n = 0; n < finds.pairs.size(); ++n) {
-        if (finds.meetings[n].isEmpty()) continue;
         const BodyPair pair = finds.pairs[n];
         for (const auto& [i, k] : {pair, BodyPair{pair.b, pair.a}}) {
             if (bodies.mobile[i] == 0) continue;
             std::vector<Neighbour>& list = m_around[i];
-            list.emplace(m_isOutrun[i] != 0 ? list.end() : placeIn(list, k), k, finds.meetings[n]);
+            const Neighbour neighbour(k, finds.meetings[n]);
+            if (m_isOutrun[i] != 0) {
+                list.push_back(neighbour);
+                ++m_ends;
+                continue;
+            }
+            const auto place = placeIn(list, k);
+            if (place != list.end() && place->body == k) {
+                *place = neighbour;
+                continue;
+            }
+            list.insert(place, neighbour);
             ++m_ends;
         }
     }

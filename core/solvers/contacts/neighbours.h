@@ -252,14 +252,17 @@ class Neighbours {
     bool areFewOutrun(const Bodies& bodies) const;
     void searchAll(const Bodies& bodies, const State& state, Broadphase& broadphase);
     void searchForOutrun(const Bodies& bodies, const State& state);
-    /// What searches for single bodies find: pairs that may meet, and when, which for some is never.
+    /// What searches for single bodies find: pairs that may meet, and when.
     struct Finds {
         std::vector<BodyPair> pairs;
         std::vector<TimeSpan> meetings; // by pair
         BoxBlocks::Search search;
+        std::vector<BodyIndex> others; // of a search: whose boxes overlap
+        std::vector<TimeSpan> meetingsOfOne;
     };
     void findAround(const Bodies& bodies, std::span<const BodyIndex> list, Finds& finds) const;
     void addFound(const Bodies& bodies, const Finds& finds);
+    void dropLost();
     void notePulls(const Bodies& bodies, const State& state, double duration);
     void findWallPairs(const Bodies& bodies);
     void addPair(const Bodies& bodies, BodyPair pair, const TimeSpan& meeting);
@@ -288,6 +291,7 @@ class Neighbours {
     std::vector<BodyIndex> m_outrun;      // since the last search; some may be named twice
     std::vector<BodyIndex> m_anew;        // of a search for single bodies: these
     std::vector<std::uint8_t> m_isOutrun; // by body: one of these
+    std::vector<BodyPair> m_before;       // their neighbours before it that are not among them
     Finds m_finds;
     std::vector<TimeSpan> m_meetings;       // by pair of a search for all
     Workers* m_workers = &Workers::alone(); // of searches
