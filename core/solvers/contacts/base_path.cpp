@@ -121,23 +121,16 @@ double BasePath::ownReach(const SteppedInput& input, BodyIndex body, double time
     return pathOf(input, body, time, neighbours) + skin * input.bodies.boundingRadius[body];
 }
 
-bool BasePath::isUnchanged(const State& state) const {
-    return std::all_of(m_blocks.begin(), m_blocks.end(), [&](const SteppedMotion& block) {
-        return block.isEmpty() || block.isUnchanged(state);
+bool BasePath::markIfMoved(const State& state) {
+    const bool isMoved = std::any_of(m_blocks.begin(), m_blocks.end(), [&](const SteppedMotion& block) {
+        return !block.isEmpty() && !block.isUnchanged(state);
     });
+    if (isMoved) markIslands([](BodyIndex) { return true; });
+    return isMoved;
 }
 
 bool BasePath::renew(const SteppedInput& input, double time, double skin, Neighbours& neighbours,
                      Broadphase& broadphase, Manifolds& manifolds) {
-    if (input.isFirst && !isUnchanged(input.state)) { // within a frame nobody else moves them
-        markIslands([](BodyIndex) { return true; });
-        return false;
-    }
-    return renewUnchanged(input, time, skin, neighbours, broadphase, manifolds);
-}
-
-bool BasePath::renewUnchanged(const SteppedInput& input, double time, double skin, Neighbours& neighbours,
-                              Broadphase& broadphase, Manifolds& manifolds) {
     std::size_t all = 0;
     for (const SteppedMotion& block : m_blocks) all += block.bodies().size();
     for (const Renewed& renewed : m_renewed) m_renewal[renewed.body] = 0;

@@ -60,17 +60,15 @@ class BasePath {
     /// By body: the number of its block; 0 for bodies that are not on the base path.
     std::span<const std::uint8_t> blockOf() const { return m_block; }
     std::size_t islands() const;
+    /// When a frame begins: marks all islands if a body is elsewhere, or has another velocity, than the last
+    /// substep left it. True if so.
+    bool markIfMoved(const State& state);
     /// Ensures that the pairs are valid for another substep, for which the neighbours have followed the
     /// bodies. Bodies that may move beyond their reach, or be struck by such a body, get a new reach for
     /// `time` [s] and `skin` times their size, and the pairs within it. False if some islands are marked:
-    /// those must leave. All do when a frame begins in which a body is elsewhere than the last one left it.
+    /// those must leave.
     bool renew(const SteppedInput& input, double time, double skin, Neighbours& neighbours,
                Broadphase& broadphase, Manifolds& manifolds);
-    /// Whether the bodies are where, and as fast as, the last substep left them.
-    bool isUnchanged(const State& state) const;
-    /// The same where that has been asked for when the frame began.
-    bool renewUnchanged(const SteppedInput& input, double time, double skin, Neighbours& neighbours,
-                        Broadphase& broadphase, Manifolds& manifolds);
     /// Whether a body stands still on the base path.
     bool isStill(BodyIndex body) const { return has(body) && blockWith(body).isStill(body); }
     /// Calls visit(body) for those that stood still, and moved on in the last substep.

@@ -57,13 +57,6 @@ void Candidates::notePlace(const Bodies& bodies, const State& state, BodyIndex b
     if (!isSphere(bodies, body)) m_box[body] = bodies.boxAt(body, state.pose[body]);
 }
 
-void Candidates::look(const Bodies& bodies, const State& state, std::span<const BodyIndex> members,
-                      std::span<const std::uint8_t> placed, Neighbours& neighbours, Broadphase& broadphase,
-                      Workers& workers) {
-    note(bodies, state, members, placed);
-    lookAt(bodies, state, members, placed, neighbours, broadphase, workers);
-}
-
 void Candidates::note(const Bodies& bodies, const State& state, std::span<const BodyIndex> members,
                       std::span<const std::uint8_t> placed) {
     for (const BodyIndex i : bodies.mobileBodies) m_kind[i] = Kind::Left;

@@ -20,19 +20,14 @@ class Candidates {
   public:
     explicit Candidates(const Bodies& bodies);
 
-    /// Takes note of how far the members come in the substep that the neighbours followed last, and has the
-    /// neighbours searched where they may come further than what was searched. Pairs of two that are `placed`
-    /// (by body, not 0) are left out: its pairs with others that are placed and with what cannot move are
-    /// known.
-    void look(const Bodies& bodies, const State& state, std::span<const BodyIndex> members,
-              std::span<const std::uint8_t> placed, Neighbours& neighbours, Broadphase& broadphase,
-              Workers& workers = Workers::alone());
-    /// The same in two parts. First takes note of who is a member; of each member, lookAt() must then be
-    /// called once.
+    /// Takes note of who is a member; of each member, lookAt() must then be called once.
     void note(const Bodies& bodies, const State& state, std::span<const BodyIndex> members,
               std::span<const std::uint8_t> placed);
-    /// Looks at those members that are active, ascending: nothing of the others has changed, and all of them
-    /// are placed.
+    /// Takes note of how far members come in the substep that the neighbours followed last, and has the
+    /// neighbours searched where they may come further than what was searched. Pairs of two that are `placed`
+    /// (by body, not 0) are left out: its pairs with others that are placed and with what cannot move are
+    /// known. Looks at those members that are active, ascending: nothing of the others has changed, and all
+    /// of them are placed.
     void lookAt(const Bodies& bodies, const State& state, std::span<const BodyIndex> active,
                 std::span<const std::uint8_t> placed, Neighbours& neighbours, Broadphase& broadphase,
                 Workers& workers = Workers::alone());

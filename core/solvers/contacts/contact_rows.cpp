@@ -332,14 +332,6 @@ LanePacker::Place ContactRows::add(const PairInput& pair, std::uint32_t source,
     return place;
 }
 
-void ContactRows::add(const PairInput& pair, const CarriedPoints& points, std::uint32_t source,
-                      std::span<const SolverBody> bodies) {
-    if (points.count == 0) return;
-    const LanePacker::Place place = placeCarried(pair.a, pair.b, points.count, source);
-    setCarried(place, pair, points);
-    if (pair.rolling > 0) addRolling(pair, place, bodies);
-}
-
 RollingRow* ContactRows::rollingOf(std::uint32_t group, std::uint32_t lane) {
     m_rollingOf.resize(wideLanes * m_groups.size(), noPair);
     for (; m_rollingNoted < m_rolling.size(); ++m_rollingNoted) {

@@ -141,11 +141,9 @@ class ContactRows {
     void begin(std::size_t bodies, std::uint32_t immobile);
     std::uint32_t immobile() const { return m_immobile; }
     LanePacker::Place add(const PairInput& pair, std::uint32_t source, std::span<const SolverBody> bodies);
-    /// The same of a pair without points, which has these instead. They must stay where they are.
-    void add(const PairInput& pair, const CarriedPoints& points, std::uint32_t source,
-             std::span<const SolverBody> bodies);
-    /// The same in parts: first a place for every pair, in the order in which they are solved; then what the
-    /// pairs are, in any order and by several threads; then torques of those that have rolling resistance.
+    /// The same of pairs with carried points instead, which must stay where they are, in parts: first a place
+    /// for every pair, in the order in which they are solved; then what the pairs are, in any order and by
+    /// several threads; then torques of those that have rolling resistance.
     LanePacker::Place placeCarried(std::uint32_t a, std::uint32_t b, std::size_t points,
                                    std::uint32_t source);
     void setCarried(const LanePacker::Place& place, const PairInput& pair, const CarriedPoints& points);

@@ -32,7 +32,9 @@ void Contacts::findMembers(const SolverInput& input) {
                 if (m_base.has(i) && m_backOff[i] == 0 && !m_base.hasStill(i)) m_base.mark(i);
             m_base.markOutgrown(m_found.manifolds());
         }
-        if (!renewBase(input)) leaveMarked(input);
+        if (!m_base.renew(stepped(input), reachTime(input, input.parts * input.substep), lastingSkin,
+                          m_neighbours, input.broadphase, m_found.manifolds()))
+            leaveMarked(input);
     }
     coverMembers(input);
     joinReached(input);
@@ -58,8 +60,8 @@ void Contacts::listMembers(const SolverInput& input) {
 void Contacts::listActive(const SolverInput& input) {
     SettledBodies& settled = m_neighbours.settled();
     const double frame = input.parts * input.substep;
-    if (input.part == 0) m_isBaseUnchanged = m_base.isUnchanged(input.state);
-    if (m_neighbours.asksAnew(frame) || !m_isBaseUnchanged || m_substep != input.substep || m_frame != frame)
+    const bool isMoved = input.part == 0 && m_base.markIfMoved(input.state); // later nobody else moves them
+    if (isMoved || m_neighbours.asksAnew(frame) || m_substep != input.substep || m_frame != frame)
         settled.wakeAll();
     m_substep = input.substep;
     m_frame = frame;
@@ -69,21 +71,11 @@ void Contacts::listActive(const SolverInput& input) {
         if (m_base.isStill(i)) settled.begin(i);
 }
 
-// Whether nothing will change of a body that stood still when the substep began, and has not been woken.
+// Whether nothing will change of a body that stood still when the substep began, and has not been woken: no
+// such body is on a spring.
 bool Contacts::maySettle(BodyIndex body) const {
     return m_base.isStill(body) && m_backOff[body] == 0 && !m_refinement.waits(body) &&
-           m_isOnSpring[body] == 0 && !m_bodies.forces.actOn(body) && m_neighbours.maySettle(body);
-}
-
-// False if some bodies must leave the base path.
-bool Contacts::renewBase(const SolverInput& input) {
-    if (!m_isBaseUnchanged) { // within a frame nobody else moves them
-        m_isBaseUnchanged = true;
-        m_base.markIslands([](BodyIndex) { return true; });
-        return false;
-    }
-    return m_base.renewUnchanged(stepped(input), reachTime(input, input.parts * input.substep), lastingSkin,
-                                 m_neighbours, input.broadphase, m_found.manifolds());
+           !m_bodies.forces.actOn(body) && m_neighbours.maySettle(body);
 }
 
 // Makes members of bodies that fly or sleep and that members may reach, and of those that these may reach.

@@ -92,7 +92,6 @@ class Contacts final : public Solver {
     void listMembers(const SolverInput& input);
     void listActive(const SolverInput& input);
     bool maySettle(BodyIndex body) const;
-    bool renewBase(const SolverInput& input);
     void wakeMoved(const SolverInput& input);
     void joinReached(const SolverInput& input);
     void wakeChanged();
@@ -154,7 +153,6 @@ class Contacts final : public Solver {
     std::vector<BodyIndex> m_members;       // mobile bodies that neither sleep nor fly
     std::vector<BodyIndex> m_active;        // of these, ascending: those that have not settled
     double m_substep = 0, m_frame = 0;      // when those settled that have [s]
-    bool m_isBaseUnchanged = false;         // when the frame began
     std::vector<BodyIndex> m_entering, m_passing, m_woken, m_met, m_changed, m_joined, m_leaving;
     std::vector<Island> m_brieflyHere; // islands of m_brief
     std::vector<SteppedMotion::Entry> m_brieflyPaired;

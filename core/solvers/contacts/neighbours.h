@@ -84,13 +84,6 @@ class Neighbours {
     /// Searches are shared by these threads from now on.
     void share(Workers& workers) { m_workers = &workers; }
 
-    /// Records the poses of the bodies and how far each moves within `duration` [s] by its velocity and
-    /// gravity. Searches if a body may leave its skin though nothing strikes it; the lists are made to last
-    /// for some frames [s].
-    void update(const Bodies& bodies, const State& state, std::span<const BodyIndex> list,
-                const Vec3& gravity, double duration, double frame, Broadphase& broadphase) {
-        update(bodies, state, {list, list}, gravity, {duration, frame}, broadphase);
-    }
     /// Bodies to be followed, and those of them that have not settled.
     struct Followed {
         std::span<const BodyIndex> all, active;
@@ -98,7 +91,9 @@ class Neighbours {
     struct Times {
         double duration = 0, frame = 0; ///< [s]
     };
-    /// The same where only those that are active are looked at: of the others, nothing has changed.
+    /// Records the poses of the bodies and how far each moves within a duration by its velocity and gravity.
+    /// Searches if a body may leave its skin though nothing strikes it; the lists are made to last for some
+    /// frames. Only those that are active are looked at: of the others, nothing has changed.
     void update(const Bodies& bodies, const State& state, const Followed& list, const Vec3& gravity,
                 const Times& times, Broadphase& broadphase);
     /// Whether the next update() asks anew of all bodies how much room they need: so all must be active.

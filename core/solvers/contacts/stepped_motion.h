@@ -94,10 +94,6 @@ struct SteppedReport {
 
 class SteppedMotion {
   public:
-    /// An island is put in order when a frame begins if more than one pair for so many of its bodies has come
-    /// or gone since it was. At half, passes go through more pairs out of order and through empty lanes; at
-    /// twice, heaps that come to rest are put in order in every second frame.
-    static constexpr std::size_t fewUnordered = 4;
     struct Entry {
         BodyPair pair;
         std::uint32_t place = Manifolds::none;
@@ -330,6 +326,10 @@ class SteppedMotion {
         double turn = 0;           ///< [rad]
         bool isStruck = false;     ///< by anything since the look, this step included
     };
+    /// An island is put in order when a frame begins if more than one pair for so many of its bodies has come
+    /// or gone since it was. At half, passes go through more pairs out of order and through empty lanes; at
+    /// twice, heaps that come to rest are put in order in every second frame.
+    static constexpr std::size_t fewUnordered = 4;
     struct Group {
         std::uint32_t joined = 0; ///< the island that it has been joined to; its own number if none
         std::size_t bodies = 0;

@@ -75,14 +75,15 @@ class CandidatesTest : public QObject {
                 if (random.below(4) != 0) members.push_back(i);
             const std::unique_ptr<Broadphase> search = broadphases()[0].create();
             Neighbours neighbours(bodies);
-            neighbours.update(bodies, state, bodies.mobileBodies, Vec3::Zero(), substep, 4 * substep,
-                              *search);
+            neighbours.update(bodies, state, {bodies.mobileBodies, bodies.mobileBodies}, Vec3::Zero(),
+                              {substep, 4 * substep}, *search);
             Candidates candidates(bodies);
             const std::vector<std::uint8_t> placed(bodies.count(), 0);
             for (int step = 0; step < 10; ++step) {
                 if (!neighbours.follow(bodies, state, bodies.mobileBodies, Vec3::Zero(), substep))
                     neighbours.search(bodies, state, *search);
-                candidates.look(bodies, state, members, placed, neighbours, *search);
+                candidates.note(bodies, state, members, placed);
+                candidates.lookAt(bodies, state, members, placed, neighbours, *search);
                 const std::span<const BodyPair> pairs = candidates.find(bodies, state, neighbours);
                 QVERIFY(std::vector<BodyPair>(pairs.begin(), pairs.end()) ==
                         obvious(bodies, state, members, candidates));
@@ -108,15 +109,17 @@ class CandidatesTest : public QObject {
             for (const BodyIndex i : bodies.mobileBodies) parts[random.below(3)].push_back(i);
             const std::unique_ptr<Broadphase> search = broadphases()[0].create();
             Neighbours neighbours(bodies);
-            neighbours.update(bodies, state, bodies.mobileBodies, Vec3::Zero(), substep, 4 * substep,
-                              *search);
+            neighbours.update(bodies, state, {bodies.mobileBodies, bodies.mobileBodies}, Vec3::Zero(),
+                              {substep, 4 * substep}, *search);
             const std::vector<std::uint8_t> placed(bodies.count(), 0);
             Candidates whole(bodies), joining(bodies);
-            joining.look(bodies, state, parts[0], placed, neighbours, *search);
+            joining.note(bodies, state, parts[0], placed);
+            joining.lookAt(bodies, state, parts[0], placed, neighbours, *search);
             joining.join(bodies, state, parts[1], neighbours, *search);
             joining.join(bodies, state, parts[2], neighbours, *search);
             for (const BodyIndex i : parts[2]) QVERIFY(std::ranges::count(joining.changed(), i) > 0);
-            whole.look(bodies, state, bodies.mobileBodies, placed, neighbours, *search);
+            whole.note(bodies, state, bodies.mobileBodies, placed);
+            whole.lookAt(bodies, state, bodies.mobileBodies, placed, neighbours, *search);
             QVERIFY(std::ranges::equal(joining.free(), whole.free()));
             for (const BodyIndex i : bodies.mobileBodies) QCOMPARE(joining.reach(i), whole.reach(i));
             const std::span<const BodyPair> pairs = joining.find(bodies, state, neighbours);
@@ -134,10 +137,12 @@ class CandidatesTest : public QObject {
         const State state = initialStateOf(scene);
         const std::unique_ptr<Broadphase> search = broadphases()[0].create();
         Neighbours neighbours(bodies);
-        neighbours.update(bodies, state, bodies.mobileBodies, Vec3::Zero(), substep, 4 * substep, *search);
+        neighbours.update(bodies, state, {bodies.mobileBodies, bodies.mobileBodies}, Vec3::Zero(),
+                          {substep, 4 * substep}, *search);
         Candidates candidates(bodies);
         const std::vector<std::uint8_t> placed(bodies.count(), 0);
-        candidates.look(bodies, state, bodies.mobileBodies, placed, neighbours, *search);
+        candidates.note(bodies, state, bodies.mobileBodies, placed);
+        candidates.lookAt(bodies, state, bodies.mobileBodies, placed, neighbours, *search);
         QCOMPARE(candidates.reach(1), candidates.reach(0)); // of equal masses all of it is handed on
         QCOMPARE(candidates.reach(2), neighbours.reach(2));
         const std::span<const BodyPair> pairs = candidates.find(bodies, state, neighbours);

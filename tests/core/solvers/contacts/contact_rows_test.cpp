@@ -317,7 +317,10 @@ class ContactRowsTest : public QObject {
                 CarriedPoints points{.frameA = a, .frameB = b, .middle = middle};
                 for (; points.count < pair.points.size(); ++points.count)
                     points.points[points.count] = &carried[i][points.count];
-                rows.add(laws, points, static_cast<std::uint32_t>(i), scene.bodies);
+                const LanePacker::Place place =
+                    rows.placeCarried(a, b, points.count, static_cast<std::uint32_t>(i));
+                rows.setCarried(place, laws, points);
+                if (laws.rolling > 0) rows.addRolling(laws, place, scene.bodies);
                 pair.laws.torque *= duration;
             }
             QVERIFY(std::abs(rows.end(scene.bodies, frames, duration) - deepest) < roundingOfRows);

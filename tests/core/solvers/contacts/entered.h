@@ -29,7 +29,8 @@ class Entered {
 
     /// With the manifolds of those that are near, as they are now.
     void enter(const std::vector<BodyIndex>& list) {
-        m_neighbours.update(bodies, state, bodies.mobileBodies, m_gravity, substep, frame, *m_broadphase);
+        m_neighbours.update(bodies, state, {bodies.mobileBodies, bodies.mobileBodies}, m_gravity,
+                            {substep, frame}, *m_broadphase);
         while (!path.prepare(input(), list, frame, skin, m_neighbours))
             m_neighbours.search(bodies, state, *m_broadphase);
         std::vector<Manifolds::Entry> known;
@@ -88,6 +89,7 @@ class Entered {
     bool renew(BasePath& which, const SteppedInput& with, Manifolds& itsManifolds) {
         if (!m_neighbours.follow(bodies, with.state, bodies.mobileBodies, m_gravity, substep))
             m_neighbours.search(bodies, with.state, *m_broadphase);
+        if (with.isFirst) which.markIfMoved(with.state);
         return which.renew(with, frame, skin, m_neighbours, *m_broadphase, itsManifolds);
     }
     void advance() { path.advance(input(), manifolds); }

@@ -40,11 +40,12 @@ class Found {
     ManifoldInput here() const { return {bodies, state, m_gravity, test::substep}; }
 
     void find() {
-        m_neighbours.update(bodies, state, bodies.mobileBodies, m_gravity, test::substep, test::substep,
-                            *m_broadphase);
+        m_neighbours.update(bodies, state, {bodies.mobileBodies, bodies.mobileBodies}, m_gravity,
+                            {test::substep, test::substep}, *m_broadphase);
         if (!m_neighbours.follow(bodies, state, bodies.mobileBodies, m_gravity, test::substep))
             m_neighbours.search(bodies, state, *m_broadphase);
-        m_candidates.look(bodies, state, bodies.mobileBodies, holds, m_neighbours, *m_broadphase);
+        m_candidates.note(bodies, state, bodies.mobileBodies, holds);
+        m_candidates.lookAt(bodies, state, bodies.mobileBodies, holds, m_neighbours, *m_broadphase);
         Refinement::Memory memory = m_refinement.memory();
         memory.stepped = stepped;
         m_refinement.recall(memory);

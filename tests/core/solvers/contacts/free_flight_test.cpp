@@ -45,8 +45,8 @@ class Flights {
         for (const BodyIndex i : held) m_isHeld[i] = 1;
         members.assign(bodies.mobileBodies.begin(), bodies.mobileBodies.end());
         flight.choose(input(0), std::vector<std::uint8_t>(bodies.count(), 0), m_isHeld, members);
-        m_neighbours.update(bodies, state, members, m_gravity, test::substep, flightParts * test::substep,
-                            *m_broadphase);
+        m_neighbours.update(bodies, state, {members, members}, m_gravity,
+                            {test::substep, flightParts * test::substep}, *m_broadphase);
         std::vector<BodyIndex> landed;
         flight.start(input(0), m_neighbours, landed);
         members.insert(members.end(), landed.begin(), landed.end());

@@ -45,9 +45,10 @@ class Reached {
         const std::unique_ptr<Broadphase> broadphase = findBroadphase("all_pairs")->create();
         const std::vector<std::uint8_t> nobody(m_bodies.count(), 0);
         const std::span<const BodyIndex> members = m_bodies.mobileBodies;
-        neighbours.update(m_bodies, m_state, members, Vec3::Zero(), test::substep, test::substep,
+        neighbours.update(m_bodies, m_state, {members, members}, Vec3::Zero(), {test::substep, test::substep},
                           *broadphase);
-        candidates.look(m_bodies, m_state, members, nobody, neighbours, *broadphase);
+        candidates.note(m_bodies, m_state, members, nobody);
+        candidates.lookAt(m_bodies, m_state, members, nobody, neighbours, *broadphase);
         WorkCounters work;
         const ManifoldInput here{m_bodies, m_state, Vec3::Zero(), test::substep};
         contacts.find(here, candidates.find(m_bodies, m_state, neighbours), candidates,

@@ -128,8 +128,9 @@ class NeighboursTest : public QObject {
         const std::unique_ptr<Broadphase> broadphase = findBroadphase("all_pairs")->create();
         Neighbours neighbours(crowd.bodies);
         for (int i = 0; i < steps; ++i) {
-            neighbours.update(crowd.bodies, crowd.state, crowd.bodies.mobileBodies, Vec3::Zero(), stepTime,
-                              4 * stepTime, *broadphase);
+            neighbours.update(crowd.bodies, crowd.state,
+                              {crowd.bodies.mobileBodies, crowd.bodies.mobileBodies}, Vec3::Zero(),
+                              {stepTime, 4 * stepTime}, *broadphase);
             bool covered = true;
             for (const BodyIndex k : crowd.bodies.mobileBodies)
                 covered = neighbours.covers(k, neighbours.reach(k)) && covered;
@@ -149,8 +150,9 @@ class NeighboursTest : public QObject {
         const std::unique_ptr<Broadphase> broadphase = findBroadphase("all_pairs")->create();
         Neighbours neighbours(crowd.bodies);
         for (int i = 0; i < steps; ++i) {
-            neighbours.update(crowd.bodies, crowd.state, crowd.bodies.mobileBodies, Vec3::Zero(), stepTime,
-                              4 * stepTime, *broadphase);
+            neighbours.update(crowd.bodies, crowd.state,
+                              {crowd.bodies.mobileBodies, crowd.bodies.mobileBodies}, Vec3::Zero(),
+                              {stepTime, 4 * stepTime}, *broadphase);
             const BodyIndex one = crowd.bodies.mobileBodies[random.below(300)];
             crowd.state.pose[one].position =
                 Vec3(Crowd::anywhere(random), Crowd::anywhere(random), Crowd::anywhere(random));
@@ -170,8 +172,8 @@ class NeighboursTest : public QObject {
         const std::unique_ptr<Broadphase> broadphase = findBroadphase("all_pairs")->create();
         Neighbours neighbours(bodies);
         for (int i = 0; i < 5; ++i) {
-            neighbours.update(bodies, state, bodies.mobileBodies, Vec3::Zero(), stepTime, 4 * stepTime,
-                              *broadphase);
+            neighbours.update(bodies, state, {bodies.mobileBodies, bodies.mobileBodies}, Vec3::Zero(),
+                              {stepTime, 4 * stepTime}, *broadphase);
             QCOMPARE(neighbours.searches(), 1U);
             QCOMPARE(neighbours.ends(), 0U);
             for (const BodyIndex k : bodies.mobileBodies)
@@ -191,7 +193,8 @@ class NeighboursTest : public QObject {
         const std::unique_ptr<Broadphase> broadphase = findBroadphase("all_pairs")->create();
         Neighbours neighbours(bodies);
         const auto update = [&](std::span<const BodyIndex> list) {
-            neighbours.update(bodies, state, list, Vec3::Zero(), stepTime, 4 * stepTime, *broadphase);
+            neighbours.update(bodies, state, {list, list}, Vec3::Zero(), {stepTime, 4 * stepTime},
+                              *broadphase);
         };
         update(bodies.mobileBodies);
         QVERIFY(namesOf(neighbours.listed(1)).empty()); // they fall alike
@@ -214,7 +217,8 @@ class NeighboursTest : public QObject {
         Neighbours neighbours(bodies);
         std::vector<BodyIndex> followed = bodies.mobileBodies;
         const auto update = [&] {
-            neighbours.update(bodies, state, followed, Vec3::Zero(), stepTime, 4 * stepTime, *broadphase);
+            neighbours.update(bodies, state, {followed, followed}, Vec3::Zero(), {stepTime, 4 * stepTime},
+                              *broadphase);
             neighbours.pass(stepTime);
         };
         update();
@@ -243,7 +247,8 @@ class NeighboursTest : public QObject {
         const std::unique_ptr<Broadphase> broadphase = findBroadphase("all_pairs")->create();
         Neighbours neighbours(bodies);
         for (int i = 0; i < 200; ++i) {
-            neighbours.update(bodies, state, bodies.mobileBodies, Vec3::Zero(), stepTime, frame, *broadphase);
+            neighbours.update(bodies, state, {bodies.mobileBodies, bodies.mobileBodies}, Vec3::Zero(),
+                              {stepTime, frame}, *broadphase);
             neighbours.pass(stepTime);
         }
         const Neighbours::Flight flight{.room = 0.01, .time = frame, .fall = fall};
@@ -260,7 +265,7 @@ class NeighboursTest : public QObject {
         const std::unique_ptr<Broadphase> broadphase = findBroadphase("all_pairs")->create();
         Neighbours neighbours(crowd.bodies);
         const auto update = [&](std::span<const BodyIndex> list) {
-            neighbours.update(crowd.bodies, crowd.state, list, Vec3::Zero(), stepTime, 4 * stepTime,
+            neighbours.update(crowd.bodies, crowd.state, {list, list}, Vec3::Zero(), {stepTime, 4 * stepTime},
                               *broadphase);
         };
         update(crowd.bodies.mobileBodies);
@@ -285,8 +290,8 @@ class NeighboursTest : public QObject {
         Crowd crowd(random, 300);
         const std::unique_ptr<Broadphase> broadphase = findBroadphase("all_pairs")->create();
         Neighbours neighbours(crowd.bodies);
-        neighbours.update(crowd.bodies, crowd.state, crowd.bodies.mobileBodies, Vec3::Zero(), stepTime,
-                          4 * stepTime, *broadphase);
+        neighbours.update(crowd.bodies, crowd.state, {crowd.bodies.mobileBodies, crowd.bodies.mobileBodies},
+                          Vec3::Zero(), {stepTime, 4 * stepTime}, *broadphase);
         const BodyIndex asking = crowd.bodies.mobileBodies[random.below(300)];
         QVERIFY(!neighbours.covers(asking, side / 2));
         neighbours.search(crowd.bodies, crowd.state, *broadphase);
@@ -309,8 +314,8 @@ class NeighboursTest : public QObject {
         const std::unique_ptr<Broadphase> broadphase = findBroadphase("all_pairs")->create();
         Neighbours neighbours(bodies);
         const auto update = [&] {
-            neighbours.update(bodies, state, bodies.mobileBodies, Vec3::Zero(), stepTime, stepTime,
-                              *broadphase);
+            neighbours.update(bodies, state, {bodies.mobileBodies, bodies.mobileBodies}, Vec3::Zero(),
+                              {stepTime, stepTime}, *broadphase);
         };
         update();
         QVERIFY(!neighbours.covers(0, 1.0));
@@ -336,8 +341,8 @@ class NeighboursTest : public QObject {
         Neighbours neighbours(bodies);
         std::string near;
         for (int i = 0; i < 12; ++i) {
-            neighbours.update(bodies, state, bodies.mobileBodies, Vec3::Zero(), stepTime / 4, 2 * stepTime,
-                              *broadphase);
+            neighbours.update(bodies, state, {bodies.mobileBodies, bodies.mobileBodies}, Vec3::Zero(),
+                              {stepTime / 4, 2 * stepTime}, *broadphase);
             QVERIFY(std::ranges::count(namesOf(neighbours.listed(0)), BodyIndex{1}) == 1);
             QCOMPARE(namesOf(neighbours.around(0)), namesOf(neighbours.around(1)).empty()
                                                         ? std::vector<BodyIndex>{}
