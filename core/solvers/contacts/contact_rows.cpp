@@ -6,7 +6,9 @@
 #include "core/solvers/contacts/wide_bodies.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <utility>
 
 namespace carom {
 namespace {
@@ -117,6 +119,18 @@ void clearLane(RowPoint& row, std::size_t lane) {
     for (Wide RowPoint::*value : massesOfRow) (row.*value)[lane] = 0;
     for (Wide RowPoint::*value : impulsesOfRow) (row.*value)[lane] = 0;
     row.start[lane] = row.gap[lane] = row.approach[lane] = 0;
+}
+
+// Copies rows in the lanes where `copied` is not 0.
+CAROM_WIDE void copyLanes(std::span<const RowPoint> from, const Wide& copied, RowPoint* to) {
+    using Values = std::array<Wide, sizeof(RowPoint) / sizeof(Wide)>;
+    const auto is = copied != Wide{};
+    for (std::size_t k = 0; k < from.size(); ++k) {
+        const Values values = std::bit_cast<Values>(from[k]);
+        Values kept = std::bit_cast<Values>(to[k]);
+        for (std::size_t i = 0; i < values.size(); ++i) kept[i] = is ? values[i] : kept[i];
+        to[k] = std::bit_cast<RowPoint>(kept);
+    }
 }
 
 // Prepares one lane of a group anew.
@@ -347,18 +361,14 @@ Vec3 ContactRows::torqueOf(std::uint32_t group, std::uint32_t lane) {
     return row != nullptr ? row->torque : Vec3(Vec3::Zero());
 }
 
-void ContactRows::remove(std::uint32_t group, std::uint32_t lane) {
+void ContactRows::remove(const LanePacker::Place& place) {
+    const auto [group, lane] = std::pair(place.group, place.lane);
     RowGroup& of = m_groups[group];
     of.source[lane] = noPair;
+    of.a[lane] = of.b[lane] = m_immobile;
     for (std::uint32_t k = 0; k < of.points; ++k) clearLane(m_points[of.firstPoint + k], lane);
     carry(group, lane, {});
-    RollingRow* row = rollingOf(group, lane);
-    if (row == nullptr) return;
-    *row = m_rolling.back();
-    m_rollingOf[wideLanes * row->group + row->lane] = m_rollingOf[wideLanes * group + lane];
-    m_rollingOf[wideLanes * group + lane] = noPair;
-    m_rolling.pop_back();
-    m_rollingNoted = m_rolling.size();
+    if (RollingRow* row = rollingOf(group, lane)) *row = {.group = group, .lane = lane};
 }
 
 void ContactRows::replace(std::uint32_t group, std::uint32_t lane, const PairInput& pair,
@@ -385,13 +395,72 @@ void ContactRows::carry(std::uint32_t group, std::uint32_t lane, std::span<Carri
     m_carried[group].count[lane] = static_cast<double>(points.size());
 }
 
-double ContactRows::refill(std::span<const std::uint32_t> groups, std::span<const SolverBody> bodies,
+void ContactRows::compact(std::size_t bodies) {
+    const auto isGone = [this](const RollingRow& row) {
+        return row.group >= m_carried.size() || m_groups[row.group].source[row.lane] == noPair;
+    };
+    std::erase_if(m_rolling, isGone);
+    m_newGroup.resize(m_groups.size() + 1);
+    m_pointCount = 0;
+    std::uint32_t kept = 0;
+    for (std::uint32_t i = 0; i < m_groups.size(); ++i) {
+        m_newGroup[i] = kept;
+        const std::array<std::uint32_t, wideLanes>& source = m_groups[i].source;
+        if (i >= m_carried.size() || std::ranges::count(source, noPair) == wideLanes) continue;
+        if (kept != i) {
+            m_groups[kept] = m_groups[i];
+            m_carried[kept] = m_carried[i];
+        }
+        RowGroup& group = m_groups[kept++];
+        if (group.firstPoint != m_pointCount)
+            std::copy_n(m_points.begin() + group.firstPoint, group.points,
+                        m_points.begin() + static_cast<std::ptrdiff_t>(m_pointCount));
+        group.firstPoint = static_cast<std::uint32_t>(m_pointCount);
+        m_pointCount += group.points;
+    }
+    m_newGroup[m_groups.size()] = kept;
+    m_groups.resize(kept);
+    m_carried.resize(kept);
+    m_prepared = kept;
+    m_sections.renumber([this](std::uint32_t end) { return m_newGroup[end]; });
+    m_packer.restart(kept);
+    m_packer.reserve(bodies);
+    for (RollingRow& row : m_rolling) row.group = m_newGroup[row.group];
+    m_rollingOf.clear();
+    m_rollingNoted = 0;
+}
+
+bool ContactRows::placeAgain(const LanePacker::Place& place, std::size_t points) {
+    if (points > m_groups[place.group].points) return false;
+    m_isStale.resize(m_groups.size(), 0);
+    std::uint8_t& lanes = m_isStale[place.group];
+    lanes = static_cast<std::uint8_t>(lanes | 1U << place.lane);
+    return true;
+}
+
+// Makes the rows of stale lanes anew. The others keep theirs, to the bit.
+double ContactRows::refill(std::uint32_t group, std::span<const SolverBody> bodies,
                            std::span<const BodyFrame> frames, double duration) {
-    double deepest = 0;
-    for (const std::uint32_t group : groups)
-        deepest = std::max(deepest,
-                           fillRows(this->groups().subspan(group, 1), std::span(m_carried).subspan(group, 1),
-                                    m_points.data(), bodies.data(), frames.data(), duration));
+    RowGroup& of = m_groups[group];
+    CarriedGroup& from = m_carried[group];
+    Wide isStale{};
+    bool areAll = true;
+    for (std::size_t lane = 0; lane < wideLanes; ++lane) {
+        isStale[lane] = m_isStale[group] >> lane & 1U;
+        if (isStale[lane] > 0) continue;
+        areAll = areAll && of.source[lane] == noPair;
+        from.frameA[lane] = from.frameB[lane] = 0; // those that they have are of another look
+    }
+    if (areAll)
+        return fillRows({&of, 1}, {&from, 1}, m_points.data(), bodies.data(), frames.data(), duration);
+    CarriedGroup stale = from;
+    stale.count *= isStale;
+    std::array<RowPoint, mostRowPoints> rows;
+    const std::uint32_t firstPoint = std::exchange(of.firstPoint, 0);
+    const double deepest =
+        fillRows({&of, 1}, {&stale, 1}, rows.data(), bodies.data(), frames.data(), duration);
+    of.firstPoint = firstPoint;
+    copyLanes(std::span(rows).first(of.points), isStale, &m_points[firstPoint]);
     return deepest;
 }
 
@@ -404,9 +473,9 @@ double ContactRows::moveStart() {
     return std::max(std::max(deepest[0], deepest[1]), std::max(deepest[2], deepest[3]));
 }
 
-void ContactRows::turnRolling(std::uint32_t group, std::uint32_t lane, const Vec3& normal,
+void ContactRows::turnRolling(const LanePacker::Place& place, const Vec3& normal,
                               std::span<const SolverBody> bodies) {
-    RollingRow* row = rollingOf(group, lane);
+    RollingRow* row = rollingOf(place.group, place.lane);
     if (row == nullptr) return;
     row->normal = normal;
     row->inertia = rollingInertia(bodies[row->a], bodies[row->b], normal);
@@ -437,14 +506,19 @@ double ContactRows::end(std::span<const SolverBody> bodies, std::span<const Body
                         double duration, Workers& workers) {
     m_packer.closeAll();
     double deepest = 0;
-    if (m_prepared < m_carried.size())
-        workers.forRanges(m_groups.size(), fewShared, [&](std::size_t begin, std::size_t end) {
-            raiseTo(deepest, fillRows(groups().subspan(begin, end - begin),
-                                      std::span(m_carried).subspan(begin, end - begin), m_points.data(),
-                                      bodies.data(), frames.data(), duration));
-        });
-    else
-        prepare(groups().subspan(m_prepared), m_points.data(), bodies.data());
+    workers.forRanges(m_isStale.size(), fewShared, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t group = begin; group < end; ++group)
+            if (m_isStale[group] != 0)
+                raiseTo(deepest, refill(static_cast<std::uint32_t>(group), bodies, frames, duration));
+    });
+    m_isStale.clear();
+    const std::size_t added = m_carried.size() - std::min(m_prepared, m_carried.size());
+    workers.forRanges(added, fewShared, [&](std::size_t begin, std::size_t end) {
+        raiseTo(deepest, fillRows(groups().subspan(m_prepared + begin, end - begin),
+                                  std::span(m_carried).subspan(m_prepared + begin, end - begin),
+                                  m_points.data(), bodies.data(), frames.data(), duration));
+    });
+    prepare(groups().subspan(m_prepared + added), m_points.data(), bodies.data());
     for (RollingRow& row : m_rolling)
         if (row.group >= m_prepared) row.torque *= duration;
     m_prepared = m_groups.size();

@@ -7,11 +7,11 @@
 #include "core/solvers/contacts/sections.h"
 #include "core/solvers/contacts/solver_body.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <utility>
 #include <vector>
 
 // The data of the velocity solve, laid out for registers of four doubles.
@@ -154,25 +154,19 @@ class ContactRows {
         m_packer.closeAll();
         m_sections.close(phase, m_groups.size());
     }
-    /// Whether these are rows of carried points, with room for so many.
-    bool isCarried(std::uint32_t group, std::size_t points) const {
-        return group < m_carried.size() && points <= m_groups[group].points;
-    }
-    /// Makes all rows of these groups anew of their carried points; setCarried() may have changed some.
-    /// Returns the deepest overlap of these points [m].
-    double refill(std::span<const std::uint32_t> groups, std::span<const SolverBody> bodies,
-                  std::span<const BodyFrame> frames, double duration);
-    /// Indices of the frames of a group of carried points.
-    std::pair<std::span<const std::uint32_t>, std::span<const std::uint32_t>>
-    framesOf(std::uint32_t group) const {
-        return {m_carried[group].frameA, m_carried[group].frameB};
-    }
+    /// Removes the rows of pairs without carried points, and groups without any: others have other numbers
+    /// then, in the same order. There are now so many bodies.
+    void compact(std::size_t bodies);
+    /// The number of a group that compact() has kept, by the one before.
+    std::uint32_t numberNow(std::uint32_t group) const { return m_newGroup[group]; }
+    /// Whether there is room for so many points where a pair with carried points has rows: they are made anew
+    /// there, of the points that setCarried() gives it.
+    bool placeAgain(const LanePacker::Place& place, std::size_t points);
     /// The bodies have come to where the gaps are now: displacements are counted from here on. Returns the
     /// deepest overlap [m].
     double moveStart();
     /// Rolling resistance of a pair that has rows acts across this normal from now on.
-    void turnRolling(std::uint32_t group, std::uint32_t lane, const Vec3& normal,
-                     std::span<const SolverBody> bodies);
+    void turnRolling(const LanePacker::Place& place, const Vec3& normal, std::span<const SolverBody> bodies);
     /// To be called after the last pair, of all or of those that are added later.
     void end(std::span<const SolverBody> bodies) { end(bodies, {}, 1); }
     /// The same with the frames of carried points, whose forces become impulses over `duration` [s]. Returns
@@ -197,7 +191,7 @@ class ContactRows {
     /// The torque of rolling resistance of a pair that has rows, on B [N m s].
     Vec3 torqueOf(std::uint32_t group, std::uint32_t lane);
     /// A pair that has rows has none from now on.
-    void remove(std::uint32_t group, std::uint32_t lane);
+    void remove(const LanePacker::Place& place);
     /// A pair that has rows of carried points has these from now on: the rows are still of the old ones.
     /// Without effect on rows of others.
     void carry(std::uint32_t group, std::uint32_t lane, std::span<CarriedPoint> points);
@@ -222,6 +216,8 @@ class ContactRows {
   private:
     LanePacker::Place place(std::uint32_t a, std::uint32_t b, std::size_t points, std::uint32_t source);
     void set(const LanePacker::Place& place, const PairInput& pair);
+    double refill(std::uint32_t group, std::span<const SolverBody> bodies, std::span<const BodyFrame> frames,
+                  double duration);
     RollingRow* rollingOf(std::uint32_t group, std::uint32_t lane);
     void setPoint(std::uint32_t row, std::size_t lane, const PointInput& from);
     RowGroup& addGroup(std::uint32_t points);
@@ -235,7 +231,9 @@ class ContactRows {
     std::size_t m_pointCount = 0;        // of m_points; others are of earlier rows
     std::vector<CarriedGroup> m_carried; // by group, of the first ones
     CarriedPoint m_none;                 // of an empty lane
-    std::vector<RollingRow> m_rolling;
+    std::vector<std::uint8_t> m_isStale; // by group of these, if any is: a bit for every lane to be made anew
+    std::vector<std::uint32_t> m_newGroup;  // by group before: the number that it, or the next, keeps
+    std::vector<RollingRow> m_rolling;      // those of removed pairs have no effect
     std::vector<std::uint32_t> m_rollingOf; // by 4 group + lane: in m_rolling, or noPair
     std::size_t m_rollingNoted = 0;         // so many of m_rolling are in m_rollingOf
 };

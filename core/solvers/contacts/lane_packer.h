@@ -35,13 +35,13 @@ class LanePacker {
         bool isNew = false; ///< the group was not there before
     };
 
-    /// There are no groups; bodies as before.
-    void restart() {
-        m_free.clear();
+    /// There are so many groups, which take no pairs; bodies as before.
+    void restart(std::size_t groups = 0) {
+        m_free.assign(groups, 0);
         std::fill(m_next.begin(), m_next.end(), 0U);
         for (std::size_t kind = 0; kind < kinds; ++kind) {
-            m_open[kind].clear();
-            m_firstOpen[kind] = 0;
+            m_open[kind].assign((groups + wordBits - 1) / wordBits, 0);
+            m_firstOpen[kind] = m_open[kind].empty() ? 0 : m_open[kind].size() - 1;
         }
     }
     void clear() {

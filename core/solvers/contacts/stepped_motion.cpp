@@ -97,13 +97,14 @@ void SteppedMotion::begin(const Bodies& bodies, const Division& division, double
     m_balls.clear();
     m_forced.clear();
     m_moving.isKnown = false;
-    forgetRows();
+    m_plan.forget();
+    m_rows.begin(m_bodies.size(), immobile);
 }
 
 void SteppedMotion::addIsland(const SteppedInput& input, std::span<const BodyIndex> list,
                               std::span<const std::uint32_t> springs) {
     m_isAfterKnown = m_moving.isKnown = m_weight.isKnown = false;
-    forgetRows();
+    m_plan.forget();
     const std::uint32_t island = static_cast<std::uint32_t>(m_groups.size());
     m_groups.push_back({.joined = island, .bodies = list.size()});
     for (const BodyIndex body : list) {
@@ -192,7 +193,7 @@ SteppedReport SteppedMotion::advance(const SteppedInput& input, Manifolds& manif
     SteppedReport report;
     if (input.ledger != nullptr) rememberBefore(input);
     m_step = part * m_substep / (m_division.looks * m_division.steps);
-    if (input.isFirst) m_areRowsKept = false; // a checkpoint has no rows
+    if (input.isFirst) m_rows.begin(m_bodies.size(), immobile); // a checkpoint has none
     for (int k = 0; k < m_division.looks; ++k) {
         look(input, m_step * m_division.steps, manifolds, report);
         for (int i = 0; i < m_division.steps; ++i) {
@@ -539,7 +540,7 @@ void SteppedMotion::storeForces(Manifolds& manifolds, Workers& workers) const {
         }
     for (const RollingRow& row : m_rows.rolling()) {
         const std::uint32_t source = m_rows.groups()[row.group].source[row.lane];
-        manifolds[m_entries[source].place].torque = perStep * row.torque;
+        if (source != ContactRows::noPair) manifolds[m_entries[source].place].torque = perStep * row.torque;
     }
 }
 

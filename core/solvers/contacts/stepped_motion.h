@@ -271,6 +271,7 @@ class SteppedMotion {
         std::uint32_t entry = 0;
         std::uint32_t frameA = 0, frameB = 0; ///< into m_frames
         std::uint8_t near = 0;                ///< as in Seen
+        bool isAgain = false;                 ///< the pair had rows there
     };
     /// How far a body has moved since its contacts were found.
     struct Since {
@@ -278,7 +279,13 @@ class SteppedMotion {
         double moved = 0, turned = 0; ///< the size of that [m], and the angle [rad]
     };
     /// What becomes of the rows that a pair had when a look begins.
-    enum RowState : std::uint8_t { noRows, keptRows, oldRows };
+    enum class Rows : std::uint8_t { None, Kept, Old };
+    /// Of an island: how many of its pairs keep their rows, and how many do not.
+    struct RowCount {
+        std::uint32_t kept = 0, old = 0;
+        bool keeps() const { return kept > old; }
+        bool drops() const { return old > 0 && !keeps(); }
+    };
     /// A body whose frame rows need.
     struct Framed {
         BodyIndex body = 0;
@@ -350,6 +357,9 @@ class SteppedMotion {
     std::uint32_t numberOf(BodyPair pair) const {
         return m_local[pair.a] != 0 ? m_local[pair.a] : m_local[pair.b];
     }
+    const RowCount& rowCountOf(std::uint32_t entry) const {
+        return m_rowCounts[m_island[numberOf(m_entries[entry].pair)]];
+    }
     std::pair<std::uint32_t, std::uint32_t> numbersOf(BodyPair pair) const {
         return {m_local[pair.a], m_local[pair.b]};
     }
@@ -373,12 +383,12 @@ class SteppedMotion {
         m_isFar.resize(m_bodies.size(), 0);
         m_isFar[number] = 1;
     }
-    void forgetRows() {
-        m_plan.forget();
-        m_areRowsKept = false;
+    void dropRows();
+    /// Where the rows are that a pair had when the look began, and that it does not keep.
+    LanePacker::Place oldRowsOf(std::uint32_t entry) const {
+        return {m_rows.numberNow(m_rowOf[entry].group), m_rowOf[entry].lane};
     }
-    void replaceRows(const ManifoldInput& here, Manifolds& manifolds);
-    void refillRows(const ManifoldInput& here);
+    void lookAgain(const SteppedInput& input, double duration, Manifolds& manifolds, SteppedReport& report);
     BodyFrame frameOf(const ManifoldInput& here, const Framed& framed) const;
     PlacedManifold placedAtLook(const ManifoldInput& here, const PersistentManifold& manifold) const;
     PairInput rowOf(const Bodies& bodies, std::uint32_t entry, const PlacedManifold& contact);
@@ -387,10 +397,10 @@ class SteppedMotion {
     void setRow(const ManifoldInput& here, const Placed& placed, Manifolds& manifolds);
     PairInput inputOf(const Bodies& bodies, std::uint32_t entry);
     std::uint32_t frameOf(BodyIndex body, std::uint32_t number, bool turns);
-    void findContacts(const SteppedInput& input, double duration, Manifolds& manifolds,
-                      SteppedReport& report);
-    void updatePairs(const ManifoldInput& here, Manifolds& manifolds, Workers& workers,
-                     SteppedReport& report);
+    void findContacts(const SteppedInput& input, double duration, std::span<const std::uint32_t> pairs,
+                      Manifolds& manifolds, SteppedReport& report);
+    void updatePairs(const ManifoldInput& here, std::span<const std::uint32_t> pairs, Manifolds& manifolds,
+                     Workers& workers, SteppedReport& report);
     Seen see(const ManifoldInput& here, std::uint32_t number, double fall, Manifolds& manifolds,
              std::size_t& collided);
     void rememberBefore(const SteppedInput& input);
@@ -555,11 +565,10 @@ class SteppedMotion {
     Scratch<std::vector<Since>> m_since;   // by number
     // By number: its contacts must be found anew at the next look.
     Scratch<std::vector<std::uint8_t>> m_isFar;
-    bool m_areRowsKept = false;                          // of the last look, and of what is here
-    Scratch<std::vector<LanePacker::Place>> m_rowOf;     // by entry: rows that are kept, or that were there
-    Scratch<std::vector<std::uint8_t>> m_rowState;       // by entry: RowState
-    Scratch<std::vector<std::uint32_t>> m_refilled;      // groups
-    Scratch<std::vector<std::uint8_t>> m_isFramed;       // by place in m_frames: it is of the present pose
+    Scratch<std::vector<LanePacker::Place>> m_rowOf;     // by entry: place of its rows when the look began
+    Scratch<std::vector<Rows>> m_rowState;               // by entry
+    Scratch<std::vector<RowCount>> m_rowCounts;          // by island
+    Scratch<std::vector<std::uint32_t>> m_again;         // pairs to be looked at once more
     Scratch<std::vector<Foreseen>> m_foreseen;           // ascending
     Scratch<std::vector<LanePacker::Place>> m_addedRows; // for the rest of a step
     Scratch<std::vector<std::uint32_t>> m_changedGroups; // of rows, by looking ahead

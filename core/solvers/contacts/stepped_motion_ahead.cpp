@@ -178,7 +178,7 @@ bool SteppedMotion::findAnew(const SteppedInput& input, const ManifoldInput& the
         m_rows.replace(group, lane, pair, m_bodies);
         m_rows.carry(group, lane, points());
     } else {
-        m_rows.remove(group, lane);
+        m_rows.remove({group, lane});
         m_rows.add(pair, entry, m_bodies);
     }
     return true;
@@ -186,7 +186,7 @@ bool SteppedMotion::findAnew(const SteppedInput& input, const ManifoldInput& the
 
 // After a step, whose last looks added them.
 void SteppedMotion::removeAdded() {
-    for (const LanePacker::Place& place : m_addedRows) m_rows.remove(place.group, place.lane);
+    for (const LanePacker::Place& place : m_addedRows) m_rows.remove(place);
     m_addedRows.clear();
 }
 

@@ -111,7 +111,8 @@ void SteppedMotion::keepUnmarked(const Bodies& bodies, NewNumbers& numbers) {
 
     kept = 1;
     m_isAfterKnown = m_moving.isKnown = m_weight.isKnown = false;
-    forgetRows();
+    m_plan.forget();
+    m_rows.begin(m_bodies.size(), immobile);
     numbers.bodies.assign(m_bodies.size(), gone);
     numbers.bodies[immobile] = immobile;
     for (std::uint32_t i = 1; i < m_bodies.size(); ++i) {

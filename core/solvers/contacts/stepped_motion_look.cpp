@@ -28,19 +28,14 @@ void SteppedMotion::look(const SteppedInput& input, double duration, Manifolds& 
                          SteppedReport& report) {
     findMoving();
     noteTravel(input, duration);
-    if (m_areRowsKept) keepRows(input, manifolds);
+    keepRows(input, manifolds);
     forgetMoved();
-    findContacts(input, duration, manifolds, report);
-    if (wakeStruck(input, manifolds)) {
-        findMoving();
-        noteTravel(input, duration); // with the same poses
-        m_areRowsKept = false;
-        forgetMoved(); // nor have those that move on
-        findContacts(input, duration, manifolds, report);
-    }
-    m_areRowsKept = true;
+    m_watched.clear();
+    report.contacts = 0;
+    findContacts(input, duration, m_moving.pairs, manifolds, report);
+    if (wakeStruck(input, manifolds)) lookAgain(input, duration, manifolds, report);
     m_arePartsFound = false;
-    report.contacts += m_heldContacts + m_balls.heldContacts();
+    report.contacts += wideLanes * m_balls.activeGroups() + m_balls.heldContacts() + m_heldContacts;
     report.maxPenetration =
         std::max({report.maxPenetration, m_deepest, m_heldDeepest, m_balls.heldDeepest()});
 }
@@ -82,57 +77,47 @@ void SteppedMotion::findMoving() {
 // Bodies have not moved since this look.
 void SteppedMotion::forgetMoved() {
     for (const std::uint32_t i : m_moving.awake) {
-        const bool isKept = m_areRowsKept && m_isFar[i] == 0;
-        m_seenTurn[i] = isKept ? Vec3(m_seenTurn[i] - vectorOf(m_moved[i].turn)) : Vec3(Vec3::Zero());
-        if (!isKept) m_since[i] = {};
+        const bool isFar = m_isFar[i] != 0;
+        m_seenTurn[i] = isFar ? Vec3(Vec3::Zero()) : Vec3(m_seenTurn[i] - vectorOf(m_moved[i].turn));
+        if (isFar) m_since[i] = {};
         m_moved[i] = {};
         m_struck[i] = 0;
     }
     std::fill(m_isFar.begin(), m_isFar.end(), std::uint8_t{0});
 }
 
-void SteppedMotion::findContacts(const SteppedInput& input, double duration, Manifolds& manifolds,
+// Finds the contacts of balls, and of these pairs, by number in m_general.
+void SteppedMotion::findContacts(const SteppedInput& input, double duration,
+                                 std::span<const std::uint32_t> pairs, Manifolds& manifolds,
                                  SteppedReport& report) {
     m_balls.refresh(m_bodies, m_places, duration, input.gravity, input.workers);
-    report.contacts = wideLanes * m_balls.activeGroups();
-    if (!m_areRowsKept) {
-        m_rows.begin(m_bodies.size(), immobile);
-        m_rowState.assign(m_entries.size(), noRows);
-        m_deepest = 0;
-    }
-    m_rowState.resize(m_entries.size(), noRows);
     m_deepest = std::max(m_deepest, m_balls.deepest());
     m_hasEmptyRows = false;
-    m_watched.clear();
     m_touching.clear();
     reserveFor(m_general.size(), m_watched);
     m_frameOf.resize(m_bodies.size(), BallRows::noPair);
     m_laws.resize(m_entries.size());
     const ManifoldInput here{input.bodies, input.state, input.gravity, duration};
-    updatePairs(here, manifolds, input.workers, report);
+    updatePairs(here, pairs, manifolds, input.workers, report);
     for (const Seen& seen : m_seen) {
         if (seen.isTouching)
             m_touching.push_back(seen);
         else if (seen.isWatched)
             m_watched.push_back(m_open[seen.number].watched);
         if (const std::uint32_t entry = m_general[seen.number];
-            !seen.isTouching && m_rowState[entry] == oldRows)
-            m_rows.remove(m_rowOf[entry].group, m_rowOf[entry].lane);
+            !seen.isTouching && m_rowState[entry] == Rows::Old)
+            m_rows.remove(oldRowsOf(entry));
         report.contacts += seen.hasPoints ? 1 : 0;
     }
-    if (m_areRowsKept)
-        replaceRows(here, manifolds);
-    else
-        addRows(here, manifolds, input.workers);
+    addRows(here, manifolds, input.workers);
     m_deepest = std::max(m_deepest, m_rows.end(m_bodies, m_frames, m_step, input.workers));
 }
 
 // Updates the manifolds of pairs that may meet before the next look. Each is written by one thread.
-void SteppedMotion::updatePairs(const ManifoldInput& here, Manifolds& manifolds, Workers& workers,
-                                SteppedReport& report) {
+void SteppedMotion::updatePairs(const ManifoldInput& here, std::span<const std::uint32_t> pairs,
+                                Manifolds& manifolds, Workers& workers, SteppedReport& report) {
     const double fall = here.gravity.norm() * here.duration * here.duration;
     std::atomic<std::size_t> collided = 0;
-    const std::span<const std::uint32_t> pairs = m_moving.pairs;
     m_seen.resize(pairs.size());
     workers.forRanges(pairs.size(), fewManifolds, [&](std::size_t begin, std::size_t end) {
         std::size_t count = 0;
@@ -161,11 +146,10 @@ SteppedMotion::Seen SteppedMotion::see(const ManifoldInput& here, std::uint32_t 
                                        Manifolds& manifolds, std::size_t& collided) {
     Entry& entry = m_entries[m_general[number]];
     OpenPair& open = m_open[number];
-    Seen seen{.number = number};
-    if (std::uint8_t& rows = m_rowState[m_general[number]]; rows == keptRows) {
-        seen.hasPoints = true;
+    Seen seen{.number = number, .hasPoints = true};
+    if (Rows& rows = m_rowState[m_general[number]]; rows == Rows::Kept) {
         if (!(open.watched.gap > 0) || staysOpen(open, fall)) return seen;
-        rows = oldRows;
+        rows = Rows::Old;
     }
     const bool isFresh = std::exchange(entry.isFresh, false);
     if (isFresh || open.lacksRows || !staysOpen(open, fall)) {
@@ -187,13 +171,14 @@ SteppedMotion::Seen SteppedMotion::see(const ManifoldInput& here, std::uint32_t 
                 open.watched.gap = near.next;
                 open.lacksRows = true;
             }
+            open.hasPoints = manifold.count > 0;
             return {.number = number,
                     .a = a,
                     .b = b,
                     .near = static_cast<std::uint8_t>(near.bits),
                     .isRound = manifold.round,
-                    .hasPoints = manifold.count > 0,
-                    .isTouching = manifold.count > 0};
+                    .hasPoints = open.hasPoints,
+                    .isTouching = open.hasPoints};
         }
         open = openPairOf(here, number, manifolds, normalOf(here, manifold));
     }
@@ -212,12 +197,13 @@ CAROM_INLINE std::uint32_t SteppedMotion::frameOf(BodyIndex body, std::uint32_t 
     return next;
 }
 
-// Makes rows of the pairs in contact, section by section. Their places depend on the pairs before; what they
-// are does not.
+// Makes rows of the pairs in contact, section by section: in the place of those that they had, or in one that
+// depends on the pairs before. What they are does not.
 void SteppedMotion::addRows(const ManifoldInput& here, Manifolds& manifolds, Workers& workers) {
     if (!m_plan.isMade()) m_plan.make(m_island, m_slab, m_groups.size());
-    const std::span<const SectionEnd> sections =
+    std::span<const SectionEnd> sections =
         m_plan.sort(m_touching, m_sorted, [](const Seen& seen) { return std::pair(seen.a, seen.b); });
+    if (!m_rows.groups().empty()) sections = {}; // they are after those that are kept
     m_placed.clear();
     m_framed.clear();
     forEachInSections(
@@ -227,9 +213,13 @@ void SteppedMotion::addRows(const ManifoldInput& here, Manifolds& manifolds, Wor
             const std::uint32_t entry = m_general[seen.number];
             const auto [a, b] = m_entries[entry].pair;
             const std::size_t count = static_cast<std::size_t>(std::popcount(seen.near));
-            m_placed.push_back({m_rows.placeCarried(seen.a, seen.b, count, entry), entry,
+            const bool hasRows = m_rowState[entry] == Rows::Old;
+            const LanePacker::Place old = hasRows ? oldRowsOf(entry) : LanePacker::Place{};
+            const bool isAgain = hasRows && m_rows.placeAgain(old, count);
+            if (hasRows && !isAgain) m_rows.remove(old);
+            m_placed.push_back({isAgain ? old : m_rows.placeCarried(seen.a, seen.b, count, entry), entry,
                                 frameOf(a, seen.a, !seen.isRound), frameOf(b, seen.b, !seen.isRound),
-                                seen.near});
+                                seen.near, isAgain});
         },
         [this](std::size_t phase) { m_rows.endSection(phase); });
     for (const Framed& framed : m_framed) m_frameOf[m_local[framed.body]] = BallRows::noPair;
@@ -240,10 +230,14 @@ void SteppedMotion::addRows(const ManifoldInput& here, Manifolds& manifolds, Wor
     workers.forRanges(m_placed.size(), fewManifolds, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) setRow(here, m_placed[i], manifolds);
     });
-    for (const Placed& placed : m_placed)
-        if (m_laws[placed.entry].rolling > 0)
-            m_rows.addRolling(rowOf(here, placed.entry, manifolds[m_entries[placed.entry].place]),
-                              placed.place, m_bodies);
+    for (const Placed& placed : m_placed) {
+        if (!(m_laws[placed.entry].rolling > 0)) continue;
+        const PairInput pair = rowOf(here, placed.entry, manifolds[m_entries[placed.entry].place]);
+        if (placed.isAgain)
+            m_rows.turnRolling(placed.place, pair.normal, m_bodies);
+        else
+            m_rows.addRolling(pair, placed.place, m_bodies);
+    }
 }
 
 BodyFrame SteppedMotion::frameOf(const ManifoldInput& here, const Framed& framed) const {

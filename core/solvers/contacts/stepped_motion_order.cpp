@@ -31,10 +31,11 @@ void SteppedMotion::order(const SteppedInput& input) {
 
 // Divides the islands that are not in order into slabs.
 void SteppedMotion::divide(const SteppedInput& input) {
-    forgetRows();
+    m_plan.forget();
     m_divided.clear();
     for (std::uint32_t i = 1; i < m_island.size(); ++i)
         if (m_groups[m_island[i]].isUnordered()) m_divided.push_back(i);
+    for (const std::uint32_t i : std::span<const std::uint32_t>(m_divided)) noteFar(i); // rows follow suit
     const auto isBefore = [this](std::uint32_t one, std::uint32_t other) {
         return m_island[one] < m_island[other];
     };
@@ -149,7 +150,7 @@ void SteppedMotion::joinIslands(std::uint32_t one, std::uint32_t other) {
 
 void SteppedMotion::settle() {
     if (std::exchange(m_isSettled, true)) return;
-    forgetRows();
+    m_plan.forget();
     for (std::size_t i = 1; i < m_island.size(); ++i) m_island[i] = rootOf(m_island[i]);
 }
 

@@ -25,7 +25,9 @@ class Entered {
           m_gravity(scene.gravity.acceleration), m_neighbours(bodies),
           m_broadphase(findBroadphase("all_pairs")->create()) {}
 
-    SteppedInput input() { return {.bodies = bodies, .gravity = m_gravity, .state = state}; }
+    SteppedInput input(bool isFirst = true) {
+        return {.bodies = bodies, .gravity = m_gravity, .state = state, .isFirst = isFirst};
+    }
 
     /// With the manifolds of those that are near, as they are now.
     void enter(const std::vector<BodyIndex>& list) {
@@ -85,23 +87,23 @@ class Entered {
         return left;
     }
     /// Whether the pairs serve for another substep, perhaps after some were found anew.
-    bool renew() { return renew(path, input(), manifolds); }
+    bool renew(bool isFirst = true) { return renew(path, input(isFirst), manifolds); }
     bool renew(BasePath& which, const SteppedInput& with, Manifolds& itsManifolds) {
         if (!m_neighbours.follow(bodies, with.state, bodies.mobileBodies, m_gravity, substep))
             m_neighbours.search(bodies, with.state, *m_broadphase);
         if (with.isFirst) which.markIfMoved(with.state);
         return which.renew(with, frame, skin, m_neighbours, *m_broadphase, itsManifolds);
     }
-    void advance() { path.advance(input(), manifolds); }
-    /// A substep; all enter anew if the pairs do not serve for it.
-    void step() {
+    void advance(bool isFirst = true) { path.advance(input(isFirst), manifolds); }
+    /// A substep, the first one of a frame or not; all enter anew if the pairs do not serve for it.
+    void step(bool isFirst = true) {
         if (path.isEmpty()) enterAll();
-        if (!renew()) {
+        if (!renew(isFirst)) {
             leave();
             enterAll();
             ++renewals;
         }
-        advance();
+        advance(isFirst);
     }
     /// The pairs that are on the base path and have a manifold.
     std::vector<BodyPair> pairs() {

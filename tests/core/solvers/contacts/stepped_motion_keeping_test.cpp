@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/core/solvers/contacts/entered.h"
+#include "tests/support/contact_scenes.h"
+#include "tests/support/scenes.h"
+#include "tests/support/test_class.h"
+
+#include "core/math/rotation.h"
+
+#include <QTest>
+
+#include <cmath>
+
+// Rows that are kept within a frame: which ones depends on nothing that is far away.
+
+namespace carom {
+namespace {
+
+/// Adds towers of two cubes. The lower ones fall flat on the floor, and the upper ones slide.
+void addTowers(Scene& scene, double where, int count, double tilt, double speed) {
+    const double middle = 0.5 * (std::cos(tilt) + std::sin(tilt));
+    for (int k = 0; k < count; ++k) {
+        Body lower = test::cuboid({1, 1, 1}, 1, {where, middle, 3.0 * k});
+        lower.pose.orientation = fromRotationVector({0, 0, tilt});
+        Body upper = test::cuboid({1, 1, 1}, 1, {where + 0.05, 2 * middle + 0.5 + 0.2 * tilt, 3.0 * k + 0.1});
+        upper.velocity = {0.5, 0, 0.1 * k};
+        lower.velocity = {0, 0, speed};
+        for (Body* body : {&lower, &upper}) scene.bodies.push_back(test::rough(*body, 0.5, 0, 0.001 * k));
+    }
+}
+
+} // namespace
+
+class SteppedMotionKeepingTest : public QObject {
+    Q_OBJECT
+
+  private Q_SLOTS:
+    // All islands of a division are moved together. Whether rows were kept was decided for all of them, and
+    // rows were made anew with the others of their group: bodies were somewhere else, by the rounding of
+    // some steps, where others slid 100 m away.
+    void towersMoveAsTheyDoAlone_data() {
+        QTest::addColumn<double>("tilt");
+        QTest::addColumn<double>("speed");
+        for (const double tilt : {0.0, 0.02, 0.1})
+            for (const double speed : {0.0, 0.3, 3.0, 6.0})
+                QTest::addRow("tilt %.2f, others at %.1f m/s", tilt, speed) << tilt << speed;
+    }
+    void towersMoveAsTheyDoAlone() {
+        QFETCH(double, tilt);
+        QFETCH(double, speed);
+        constexpr int count = 5, frames = 60;
+        Scene alone = test::sceneOf({test::floorOf(0.5)}, test::downwards());
+        addTowers(alone, 0, count, tilt, 0);
+        Scene beside = alone;
+        addTowers(beside, 100, 2 * count, 0.05, speed);
+        test::Entered one(alone), both(beside);
+        for (int substep = 0; substep < test::substeps * frames; ++substep) {
+            const bool isFirst = substep % test::substeps == 0;
+            one.step(isFirst);
+            both.step(isFirst);
+            for (const BodyIndex i : one.bodies.mobileBodies) {
+                const Vec3 apart = both.state.pose[i].position - one.state.pose[i].position;
+                QVERIFY2(
+                    apart == Vec3::Zero(),
+                    qPrintable(
+                        QStringLiteral("body %1, substep %2: %3 m").arg(i).arg(substep).arg(apart.norm())));
+            }
+        }
+    }
+};
+
+} // namespace carom
+
+CAROM_TEST(stepped_motion_keeping_test, carom::SteppedMotionKeepingTest)
+#include "stepped_motion_keeping_test.moc"
