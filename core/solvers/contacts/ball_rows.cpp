@@ -297,6 +297,20 @@ void BallRows::emptyLane(std::size_t i, std::size_t lane, std::uint32_t immobile
     fixed.wall[lane] = fixed.massNormal[lane] = fixed.massTangent[lane] = fixed.isHeld[lane] = 0;
 }
 
+void BallRows::renumber(std::span<const std::uint32_t> sources, std::uint32_t immobile) {
+    bool isAny = false;
+    for (std::size_t i = 0; i < m_fixed.size(); ++i)
+        for (std::size_t lane = 0; lane < wideLanes; ++lane) {
+            std::uint32_t& source = m_fixed[i].source[lane];
+            if (source == noPair) continue;
+            source = sources[source];
+            if (source != noPair) continue;
+            emptyLane(i, lane, immobile);
+            isAny = true;
+        }
+    if (isAny) markHeld();
+}
+
 void BallRows::keep(std::span<const std::uint32_t> sources, std::span<const std::uint32_t> bodies,
                     std::uint32_t immobile) {
     m_packer.restart();

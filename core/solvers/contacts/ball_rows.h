@@ -84,20 +84,9 @@ class BallRows {
     /// numbers of sources and bodies. Lanes of removed pairs may be used again.
     void keep(std::span<const std::uint32_t> sources, std::span<const std::uint32_t> bodies,
               std::uint32_t immobile);
-    /// Removes the pairs of which isGone(source) holds. Their lanes stay empty until pairs are kept or
-    /// sorted.
-    template<class Is>
-    void remove(const Is& isGone, std::uint32_t immobile) {
-        bool isAny = false;
-        for (std::size_t i = 0; i < m_fixed.size(); ++i)
-            for (std::size_t lane = 0; lane < wideLanes; ++lane) {
-                const std::uint32_t source = m_fixed[i].source[lane];
-                if (source == noPair || !isGone(source)) continue;
-                emptyLane(i, lane, immobile);
-                isAny = true;
-            }
-        if (isAny) markHeld();
-    }
+    /// Gives the pairs new numbers of sources, and removes those that get noPair. Their lanes stay empty
+    /// until pairs are kept or sorted.
+    void renumber(std::span<const std::uint32_t> sources, std::uint32_t immobile);
     /// Sorts the pairs at these places (forEachPlace) into their order, as if they had been added in it, and
     /// leaves out all others; `sections` end within it. Pairs that are added later are in none of these.
     void reorder(std::span<const std::uint32_t> places, std::uint32_t immobile,

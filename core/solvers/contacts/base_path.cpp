@@ -270,7 +270,7 @@ void BasePath::loadPairs(const SteppedInput& input, Neighbours& neighbours, Mani
             return isRenewed(entry) &&
                    !areWithin(input.bodies, input.state, entry.pair, marginOf(input, entry.pair));
         };
-        if (input.isFirst) block.drop(cannotMeet, manifolds);
+        if (input.isFirst) block.drop(cannotMeet, manifolds, m_newNumbers);
         block.forEachEntry([&](Entry& entry) {
             if (!isRenewed(entry)) return;
             entry.margin = std::max(entry.margin, marginOf(input, entry.pair));

@@ -100,7 +100,6 @@ class SteppedMotion {
         double margin = 0;    ///< [m]
         bool isFresh = false; ///< the manifold is of the present poses
         bool isNear = false;  ///< they touch, or soon do: solved before others, which are idle together
-        bool isGone = false;  ///< no longer a pair of the block
         bool isLate = false;  ///< came since its island was put in order, and is solved after that
         bool operator<(const Entry& other) const { return pair < other.pair; }
     };
@@ -138,17 +137,27 @@ class SteppedMotion {
     }
     /// So many pairs come that they are put in order before the next substep.
     void orderSoon() { m_isOrderedSoon = true; }
-    /// Removes pairs of which `is(entry)` holds: they are too far apart to meet.
+    /// New numbers of what stays when others leave, by the old ones; a caller keeps the memory.
+    struct NewNumbers {
+        std::vector<std::uint32_t> entries, bodies, islands;
+    };
+    /// Removes pairs of which `is(entry)` holds: they are too far apart to meet. When a frame begins.
     template<class Is>
-    void drop(const Is& is, Manifolds& manifolds) {
+    void drop(const Is& is, Manifolds& manifolds, NewNumbers& numbers) {
+        numbers.entries.assign(m_entries.size(), 0);
         bool isAny = false;
-        for (Entry& entry : m_entries) {
-            if (entry.isGone || !is(entry)) continue;
-            isAny = entry.isGone = true;
-            if (entry.place != Manifolds::none) manifolds.remove(std::exchange(entry.place, Manifolds::none));
+        for (std::size_t i = 0; i < m_entries.size(); ++i) {
+            const Entry& entry = m_entries[i];
+            if (!is(entry)) continue;
+            isAny = true;
+            numbers.entries[i] = gone;
+            if (entry.place != Manifolds::none) manifolds.remove(entry.place);
             noteUnordered(entry.pair);
         }
-        if (isAny) dropGone();
+        if (!isAny) return;
+        m_moving.isKnown = false;
+        renumberEntries(numbers.entries);
+        m_balls.renumber(numbers.entries, immobile);
     }
     /// Whether the bodies of a pair are so near that they touch, or soon do.
     static bool isNear(const SteppedInput& input, BodyPair pair);
@@ -210,17 +219,12 @@ class SteppedMotion {
     /// visit(entry) for every pair.
     template<class Visit>
     void forEachEntry(const Visit& visit) {
-        for (Entry& entry : m_entries)
-            if (!entry.isGone) visit(entry);
+        for (Entry& entry : m_entries) visit(entry);
     }
     /// Whether the bodies are where, and as fast as, the last substep left them.
     bool isUnchanged(const State& state) const;
     /// Memory that a copy holds.
     std::size_t bytes() const;
-    /// New numbers of what stays when others leave, by the old ones; a caller keeps the memory.
-    struct NewNumbers {
-        std::vector<std::uint32_t> entries, bodies, islands;
-    };
     /// Appends the bodies and the pairs of islands that are marked, with their present manifolds; pairs of
     /// balls only if they have a force. Removes these islands.
     void leave(const SteppedInput& input, Manifolds& manifolds, NewNumbers& numbers,
@@ -231,7 +235,8 @@ class SteppedMotion {
     void clear();
 
   private:
-    static constexpr std::uint32_t immobile = 0; ///< number of the immobile body
+    static constexpr std::uint32_t immobile = 0;            ///< number of the immobile body
+    static constexpr std::uint32_t gone = BallRows::noPair; ///< new number of what does not stay
     struct Watched {
         std::uint32_t entry = 0;
         std::uint32_t open = 0;     ///< number of the pair in m_open
@@ -368,7 +373,7 @@ class SteppedMotion {
     void divide(const SteppedInput& input);
     void orderGeneral();
     void renumberGeneral(std::size_t from, std::size_t to);
-    void dropGone();
+    void renumberEntries(std::vector<std::uint32_t>& numbers);
     void orderBalls(const SteppedInput& input);
     void keepUnmarked(const Bodies& bodies, NewNumbers& numbers);
     void addBall(const SteppedInput& input, std::uint32_t entry, const ContactPair& laws,

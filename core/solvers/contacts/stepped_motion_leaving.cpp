@@ -71,33 +71,20 @@ void SteppedMotion::leave(const SteppedInput& input, Manifolds& manifolds, NewNu
 
 // Removes the bodies of marked islands. The others get new numbers; nothing else of theirs changes.
 void SteppedMotion::keepUnmarked(const Bodies& bodies, NewNumbers& numbers) {
-    constexpr std::uint32_t gone = BallRows::noPair;
     const auto stays = [this](BodyIndex body) { return !m_groups[m_island[m_local[body]]].leaves; };
     const auto isHere = [this](BodyIndex body) { return body != noBody && m_local[body] != immobile; };
-    std::uint32_t kept = 0;
-    numbers.entries.assign(m_entries.size(), gone);
-    for (std::uint32_t i = 0; i < m_entries.size(); ++i) {
-        const BodyPair pair = m_entries[i].pair;
-        if (m_entries[i].isGone || !stays(isHere(pair.a) ? pair.a : pair.b)) continue;
-        m_entries[kept] = m_entries[i];
-        m_isFlipped[kept] = m_isFlipped[i];
-        numbers.entries[i] = kept++;
-    }
-    m_entries.resize(kept);
-    m_isFlipped.resize(kept);
-    m_ascending -= static_cast<std::size_t>(
-        std::count_if(m_general.begin(), m_general.begin() + static_cast<std::ptrdiff_t>(m_ascending),
-                      [&](std::uint32_t entry) { return numbers.entries[entry] == gone; }));
-    std::erase_if(m_general, [&](std::uint32_t entry) { return numbers.entries[entry] == gone; });
-    for (std::uint32_t& entry : m_general) entry = numbers.entries[entry];
-    m_laws.clear();
+    numbers.entries.assign(m_entries.size(), 0);
+    for (std::size_t i = 0; i < m_entries.size(); ++i)
+        if (const BodyPair pair = m_entries[i].pair; !stays(isHere(pair.a) ? pair.a : pair.b))
+            numbers.entries[i] = gone;
+    renumberEntries(numbers.entries);
     m_open.assign(m_general.size(), {}); // numbers change: they are looked at anew
     std::erase_if(m_links, [&](std::uint32_t link) {
         const SpringForce& spring = bodies.springs[link];
         return !stays(isHere(spring.from) ? spring.from : spring.to);
     });
 
-    kept = 0;
+    std::uint32_t kept = 0;
     numbers.islands.assign(m_groups.size(), gone);
     for (std::uint32_t i = 0; i < m_groups.size(); ++i) {
         if (m_groups[i].joined != i || m_groups[i].leaves) continue;

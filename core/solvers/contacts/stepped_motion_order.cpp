@@ -83,20 +83,30 @@ void SteppedMotion::renumberGeneral(std::size_t from, std::size_t to) {
     m_open[to].watched.open = static_cast<std::uint32_t>(to);
 }
 
-void SteppedMotion::dropGone() {
-    m_moving.isKnown = false;
-    const auto isGone = [this](std::uint32_t entry) { return m_entries[entry].isGone; };
-    m_balls.remove(isGone, immobile);
-    std::size_t kept = static_cast<std::size_t>(std::find_if(m_general.begin(), m_general.end(), isGone) -
-                                                m_general.begin());
-    std::size_t ascending = std::min(kept, m_ascending);
-    for (std::size_t number = kept; number < m_general.size(); ++number) {
-        if (isGone(m_general[number])) continue;
-        ascending += number < m_ascending ? 1 : 0;
-        renumberGeneral(number, kept++);
+// Removes pairs whose new number is `gone`; the others get theirs.
+void SteppedMotion::renumberEntries(std::vector<std::uint32_t>& numbers) {
+    std::uint32_t kept = 0;
+    for (std::uint32_t i = 0; i < m_entries.size(); ++i) {
+        if (numbers[i] == gone) continue;
+        m_entries[kept] = m_entries[i];
+        m_isFlipped[kept] = m_isFlipped[i];
+        if (i < m_laws.size()) m_laws[kept] = m_laws[i];
+        numbers[i] = kept++;
     }
-    m_general.resize(kept);
-    m_open.resize(kept);
+    m_entries.resize(kept);
+    m_isFlipped.resize(kept);
+    m_laws.resize(std::min<std::size_t>(m_laws.size(), kept));
+    std::size_t general = 0, ascending = 0;
+    for (std::size_t number = 0; number < m_general.size(); ++number) {
+        const std::uint32_t entry = numbers[m_general[number]];
+        if (entry == gone) continue;
+        ascending += number < m_ascending ? 1 : 0;
+        renumberGeneral(number, general);
+        m_general[general] = m_open[general].watched.entry = entry;
+        ++general;
+    }
+    m_general.resize(general);
+    m_open.resize(general);
     m_ascending = ascending;
 }
 

@@ -103,7 +103,7 @@ void SteppedMotion::touchBesideChanged(const Manifolds& manifolds) {
     for (const std::uint32_t entry : m_general) {
         const auto [first, second] = m_entries[entry].pair;
         const std::uint32_t a = m_local[first], b = m_local[second];
-        if ((changed[a] | changed[b]) == 0 || m_entries[entry].isGone) continue;
+        if ((changed[a] | changed[b]) == 0) continue;
         const PersistentManifold& manifold = manifolds[m_entries[entry].place];
         if (manifold.count == 0 || manifold.open) continue;
         m_still.touch(a);
@@ -123,7 +123,7 @@ void SteppedMotion::addUpLoads(const SteppedInput& input, std::uint32_t number, 
     double& heldDepth = m_open[number].heldDepth;
     if (m_still.isTouched(a) || m_still.isTouched(b)) {
         heldDepth = -1;
-        if (entry.isGone || (!m_still.is(a) && !m_still.is(b))) return;
+        if (!m_still.is(a) && !m_still.is(b)) return;
         const PersistentManifold& manifold = manifolds[entry.place];
         if (manifold.count == 0 || manifold.open) return;
         const PlacedManifold contact = placed({input.bodies, input.state, input.gravity, m_step}, manifold);
@@ -281,7 +281,7 @@ void SteppedMotion::passOnStrikes(const SteppedInput& input, const Manifolds& ma
         for (const std::uint32_t entry : m_general) {
             const auto [first, second] = m_entries[entry].pair;
             const std::uint32_t a = m_local[first], b = m_local[second];
-            if (m_entries[entry].isGone || !m_still.is(a) || !m_still.is(b)) continue;
+            if (!m_still.is(a) || !m_still.is(b)) continue;
             if ((m_given[a] > 0) == (m_given[b] > 0)) continue;
             const PersistentManifold& manifold = manifolds[m_entries[entry].place];
             if (manifold.count > 0 && !manifold.open)

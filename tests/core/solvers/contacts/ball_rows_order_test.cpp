@@ -53,7 +53,10 @@ class BallRowsOrderTest : public QObject {
             for (std::uint8_t& is : isGone) is = random.below(3) == 0;
             BallRows rows, others;
             some.fill(rows);
-            rows.remove([&](std::uint32_t i) { return isGone[i] != 0; }, some.immobile());
+            std::vector<std::uint32_t> numbers(some.pairs.size());
+            for (std::uint32_t i = 0; i < numbers.size(); ++i)
+                numbers[i] = isGone[i] != 0 ? BallRows::noPair : i;
+            rows.renumber(numbers, some.immobile());
             const auto addAll = [&never](BallRows& to, const auto& are) {
                 for (std::uint32_t i = 0; i < never.pairs.size(); ++i)
                     if (are(i)) to.add(never.pairs[i], i, never.immobile(), never.bodies);

@@ -139,6 +139,33 @@ class BasePathLeavingTest : public QObject {
         QCOMPARE(entered.path.divisionFor(island, many).looks, looks);
     }
 
+    // Balls roll past posts for a long time, and none leaves. Each pair that they had come to left its place
+    // in a list behind.
+    void pairsThatAreGoneTakeNoMemory() {
+        constexpr int posts = 120, balls = 8;
+        Scene scene = test::sceneOf({test::floorOf(0.5)}, test::downwards());
+        for (int n = 0; n < balls; ++n) {
+            Body ball = test::sphere(0.1, 1, {0.02 * n, 0.1, 1.0 * n}, {3, 0, 0});
+            ball.angularVelocity = {0, 0, -30};
+            scene.bodies.push_back(test::rough(ball, 0.5, 0, n % 2 == 0 ? 1e-6 : 0));
+        }
+        for (int n = 0; n < posts * balls; ++n) {
+            Body post = test::cuboid({0.05, 0.2, 0.05}, 1, {0.3 * (n / balls), 0.1, n % balls + 0.13});
+            post.fixed = true;
+            scene.bodies.push_back(post);
+        }
+        Entered entered(scene);
+        std::size_t early = 0;
+        for (int n = 0; n < 2400; ++n) {
+            entered.step(n % test::substeps == 0);
+            if (n == 240) early = entered.path.bytes();
+        }
+        QCOMPARE(entered.renewals, 0);
+        for (BodyIndex i = 1; i <= balls; ++i) QVERIFY(entered.state.pose[i].position.x() > 25);
+        QVERIFY2(entered.path.bytes() <= early + 1000,
+                 qPrintable(QStringLiteral("%1 and %2 bytes").arg(early).arg(entered.path.bytes())));
+    }
+
     // Single balls on a floor that come and go one by one leave no empty places behind.
     void whoEntersTakesThePlaceOfWhoLeft() {
         Scene scene = test::sceneOf({test::floorOf(0.5)}, test::downwards());
