@@ -3,6 +3,7 @@
 
 #include "core/math/random.h"
 #include "core/solvers/contacts/contact_rows.h"
+#include "core/solvers/contacts/energy_limit.h"
 
 #include <array>
 #include <cstdint>
@@ -60,6 +61,13 @@ inline void scaleImpulses(ContactRows& rows, double duration) {
         point.along2 *= duration;
     }
     for (RollingRow& row : rows.rolling()) row.torque *= duration;
+}
+
+/// Of all bodies that can move [J].
+inline double energyOfAll(const std::vector<SolverBody>& bodies) {
+    double sum = 0;
+    for (const SolverBody& body : bodies) sum += carom::kineticEnergyOf(body);
+    return sum;
 }
 
 inline double kineticEnergyOf(const SolverBody& body) {

@@ -131,7 +131,7 @@ CAROM_WIDE double BallRows::refreshAll(const Refresh& with) {
         const BallGroup& group = with.groups[i];
         deepest = group.row.massNormal > Wide{} ? larger(deepest, -group.gap) : deepest;
     }
-    return std::max(std::max(deepest[0], deepest[1]), std::max(deepest[2], deepest[3]));
+    return largestLane(deepest);
 }
 
 CAROM_WIDE bool BallRows::findStruckIn(const Refresh& with) {
@@ -403,7 +403,7 @@ CAROM_WIDE void BallRows::markHeld() {
         m_groups[i].held = isHeld;
         if (isHeld) m_groups[i].idle = true, m_groups[i].watched = false;
     }
-    m_heldDeepest = std::max(std::max(deepest[0], deepest[1]), std::max(deepest[2], deepest[3]));
+    m_heldDeepest = largestLane(deepest);
     m_lists.areKnown = false;
 }
 

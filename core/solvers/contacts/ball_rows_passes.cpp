@@ -147,7 +147,7 @@ CAROM_INLINE double sweepGroups(const Sweep& with) {
     for (std::size_t i = 0; i < count; ++i)
         solveGroup<pass>(with.groups[with.back ? count - 1 - i : i], with.bodies, with.moved, with.settings,
                          softness, worst);
-    return std::max(std::max(worst[0], worst[1]), std::max(worst[2], worst[3]));
+    return largestLane(worst);
 }
 
 CAROM_WIDE double sweep(Pass pass, const Sweep& with) {

@@ -222,7 +222,7 @@ CAROM_WIDE double fillRows(std::span<RowGroup> groups, std::span<const CarriedGr
             prepareRow(pair, time * Wide3{three[1], three[2], three[3]}, used, row);
         }
     }
-    return std::max(std::max(deepest[0], deepest[1]), std::max(deepest[2], deepest[3]));
+    return largestLane(deepest);
 }
 
 CAROM_WIDE void storeRows(std::span<const RowGroup> groups, std::span<const CarriedGroup> carried,
@@ -382,9 +382,8 @@ void ContactRows::replace(std::uint32_t group, std::uint32_t lane, const PairInp
             clearLane(m_points[of.firstPoint + k], lane);
     prepareLane(of, m_points.data(), bodies.data(), lane);
     if (RollingRow* row = rollingOf(group, lane)) {
-        row->normal = pair.normal;
-        row->inertia = rollingInertia(bodies[pair.a], bodies[pair.b], pair.normal);
-        row->torque = pair.torque - pair.normal.dot(pair.torque) * pair.normal;
+        row->torque = pair.torque;
+        turnRolling({group, lane}, pair.normal, bodies);
     }
 }
 
@@ -470,7 +469,7 @@ double ContactRows::moveStart() {
         row.start = row.gap;
         deepest = larger(deepest, -row.gap);
     }
-    return std::max(std::max(deepest[0], deepest[1]), std::max(deepest[2], deepest[3]));
+    return largestLane(deepest);
 }
 
 void ContactRows::turnRolling(const LanePacker::Place& place, const Vec3& normal,

@@ -95,12 +95,6 @@ double kineticEnergyOf(const SolverBody& body) {
     return energy;
 }
 
-double kineticEnergyOf(std::span<const SolverBody> bodies) {
-    double sum = 0;
-    for (const SolverBody& body : bodies) sum += kineticEnergyOf(body);
-    return sum;
-}
-
 void copyVelocities(std::span<const SolverBody> bodies, std::vector<BodyVelocity>& to) {
     to.resize(bodies.size());
     for (std::size_t i = 0; i < bodies.size(); ++i)

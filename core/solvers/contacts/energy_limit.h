@@ -20,8 +20,6 @@ namespace carom {
 
 /// Of a body that can move [J].
 double kineticEnergyOf(const SolverBody& body);
-/// Of all bodies that can move [J].
-double kineticEnergyOf(std::span<const SolverBody> bodies);
 
 /// The velocities of all bodies.
 void copyVelocities(std::span<const SolverBody> bodies, std::vector<BodyVelocity>& to);

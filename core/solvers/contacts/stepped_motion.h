@@ -62,6 +62,10 @@
 //
 // Threads share the loops over pairs and over bodies, and the passes through large islands (sections.h).
 //
+// Which rows an island has, and their order, depends on that island alone. How often they are swept does not:
+// where some island is struck within a step, or has too much energy by its springs, all are swept once more.
+// When islands leave within a frame, the contacts of the others are found anew.
+//
 // Bodies that are at rest while others of their island move stand still (still_bodies.h): they are treated as
 // immobile until the forces on them change.
 

@@ -15,6 +15,10 @@
 //
 // Rows that are made anew take the place of the old ones, where there is room, or come after all others. Of
 // an island that would keep less than half of its own, all are made anew, in order: that costs no more.
+//
+// A pair that has rows for some of its points gets those for the others at the next look, even if one of the
+// two is struck before: planks that were struck at their raised end, at 5 to 60 m/s, overlapped by no more
+// than with rows for all points (mean of 60 runs .0175 m, largest .069 m, both ways).
 
 namespace carom {
 

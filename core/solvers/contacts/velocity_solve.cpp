@@ -107,7 +107,7 @@ CAROM_INLINE double sweepGroups(const Sweep& with) {
     for (std::size_t i = 0; i < count; ++i)
         worst = larger(worst, solveGroup<pass>(with.groups[with.back ? count - 1 - i : i], with.points,
                                                with.bodies, with.settings, softness, with.active));
-    return std::max(std::max(worst[0], worst[1]), std::max(worst[2], worst[3]));
+    return largestLane(worst);
 }
 
 CAROM_WIDE double sweepWithFeedback(const Sweep& with) { return sweepGroups<Pass::Feedback>(with); }

@@ -4,6 +4,7 @@
 #include "core/base/wide.h"
 #include "core/solvers/contacts/solver_body.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -153,6 +154,10 @@ CAROM_INLINE bool anyLane(const WideMask& is) {
     return (two[0] | two[1]) != 0;
 }
 CAROM_INLINE bool anyLane(const Wide& a) { return anyLane(a != Wide{}); }
+/// What is largest of the four.
+CAROM_INLINE double largestLane(const Wide& a) {
+    return std::max(std::max(a[0], a[1]), std::max(a[2], a[3]));
+}
 CAROM_INLINE Wide absolute(const Wide& a) { return larger(a, -a); }
 
 } // namespace carom

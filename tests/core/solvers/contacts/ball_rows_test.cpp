@@ -3,8 +3,6 @@
 #include "tests/support/constants.h"
 #include "tests/support/test_class.h"
 
-#include "core/solvers/contacts/energy_limit.h"
-
 #include <QTest>
 
 // Contacts of balls, four at a time, against one pair after another, rows of any shape, and closed forms.
@@ -266,7 +264,7 @@ class BallRowsTest : public QObject {
                     if (body.inverseMass > 0) sum += vectorOf(body.velocity) / body.inverseMass;
                 return sum;
             };
-            const double before = kineticEnergyOf(scene.bodies);
+            const double before = test::energyOfAll(scene.bodies);
             const Vec3 momentumBefore = momentum();
             rows.recordApproach(scene.bodies, settings);
             const std::vector<Displacement> moved = scene.still();
@@ -277,7 +275,7 @@ class BallRowsTest : public QObject {
             constexpr int most = 1000;
             finished += rows.rebound(scene.bodies, moved, settings, most, active) < most ? 1 : 0;
             QVERIFY((momentum() - momentumBefore).norm() < 1e-9 * (1 + momentumBefore.norm()));
-            QVERIFY(kineticEnergyOf(scene.bodies) <= before * (1 + 1e-9));
+            QVERIFY(test::energyOfAll(scene.bodies) <= before * (1 + 1e-9));
         }
         qInfo("impacts %d, finished %d of 300", impacts, finished);
         QVERIFY(impacts > 50 && finished > 290);

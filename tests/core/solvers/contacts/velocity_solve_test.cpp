@@ -134,10 +134,10 @@ class VelocitySolveTest : public QObject {
             std::vector<BodyVelocity> velocities;
             copyVelocities(before, velocities);
             const bool isLess = limit.keep(velocities, islands, scene.bodies);
-            QCOMPARE(isLess, kineticEnergyOf(after) > kineticEnergyOf(before));
+            QCOMPARE(isLess, test::energyOfAll(after) > test::energyOfAll(before));
             QCOMPARE(limit.partOf(0) < 1, isLess);
             (isLess ? lessened : whole) += 1;
-            QVERIFY(kineticEnergyOf(scene.bodies) <= kineticEnergyOf(before) * (1 + roundingOfEnergy));
+            QVERIFY(test::energyOfAll(scene.bodies) <= test::energyOfAll(before) * (1 + roundingOfEnergy));
             for (std::size_t i = 0; i < after.size(); ++i) {
                 const Vec3 wanted =
                     vectorOf(before[i].velocity) +
