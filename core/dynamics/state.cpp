@@ -32,14 +32,6 @@ std::string_view lostQuantity(const State& state, BodyIndex body) {
 
 } // namespace
 
-void copyBody(const State& from, BodyIndex i, State& to, BodyIndex k) {
-    to.pose[k] = from.pose[i];
-    to.velocity[k] = from.velocity[i];
-    to.angularVelocity[k] = from.angularVelocity[i];
-    to.positionRest[k] = from.positionRest[i];
-    to.angularMomentum[k] = from.angularMomentum[i];
-}
-
 State initialStateOf(const Scene& scene) {
     State state;
     state.pose.reserve(scene.bodies.size());

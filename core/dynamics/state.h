@@ -7,6 +7,7 @@
 #include "core/math/pose.h"
 #include "core/scene/scene.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -35,8 +36,33 @@ struct State {
     }
 };
 
-/// Copies body i of one state to body k of another.
-void copyBody(const State& from, BodyIndex i, State& to, BodyIndex k);
+/// Copies bodies of one state to bodies of another, both of unchanged sizes meanwhile.
+class BodyCopy {
+  public:
+    BodyCopy(const State& from, State& to)
+        : m_fromPose(from.pose.data()),
+          m_toPose(to.pose.data()), m_vectors{{{from.velocity.data(), to.velocity.data()},
+                                               {from.angularVelocity.data(), to.angularVelocity.data()},
+                                               {from.positionRest.data(), to.positionRest.data()},
+                                               {from.angularMomentum.data(), to.angularMomentum.data()}}} {}
+
+    /// Body i of the one becomes body k of the other.
+    void copy(BodyIndex i, BodyIndex k) const {
+        m_toPose[k] = m_fromPose[i];
+        for (const Vectors& quantity : m_vectors) quantity.to[k] = quantity.from[i];
+    }
+
+  private:
+    struct Vectors {
+        const Vec3* from = nullptr;
+        Vec3* to = nullptr;
+    };
+    // Not read from the states anew for each body, as the compiler would have it: vectors of doubles might
+    // overlap them.
+    const Pose* m_fromPose;
+    Pose* m_toPose;
+    std::array<Vectors, 4> m_vectors;
+};
 
 /// The state a scene begins in. What cannot move has no velocity, whatever the scene says.
 State initialStateOf(const Scene& scene);

@@ -51,7 +51,8 @@ class LocalSolver final : public Solver {
     void take(const State& world, State& here) const {
         here.frame = world.frame;
         here.time = world.time;
-        for (BodyIndex k = 0; k < m_order.size(); ++k) copyBody(world, m_order[k], here, k);
+        const BodyCopy toHere(world, here);
+        for (BodyIndex k = 0; k < m_order.size(); ++k) toHere.copy(m_order[k], k);
         if (m_origin == Vec3::Zero()) return;
         for (const BodyIndex k : m_bodies.bounded) {
             const WithRest<Vec3> sum = exactSum(here.pose[k].position - m_origin, here.positionRest[k]);
@@ -61,13 +62,14 @@ class LocalSolver final : public Solver {
     }
 
     void leave(State& world) {
+        const BodyCopy toWorld(m_state, world);
         for (const BodyIndex k : m_bodies.mobileBodies) {
             if (m_origin != Vec3::Zero()) {
                 const WithRest<Vec3> sum = exactSum(m_origin, m_state.pose[k].position);
                 m_state.pose[k].position = sum.value;
                 m_state.positionRest[k] += sum.rest;
             }
-            copyBody(m_state, k, world, m_order[k]);
+            toWorld.copy(k, m_order[k]);
         }
     }
 
