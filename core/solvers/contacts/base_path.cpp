@@ -9,7 +9,7 @@
 namespace carom {
 namespace {
 
-/// Islands of up to so many contact points, but for balls with fewer than eight, make eight sweeps a substep
+/// Islands of up to so many contact points, but for balls with fewer than four, make eight sweeps a substep
 /// or more, larger ones three or fewer. At twice, those in between cost nearly three times as much; at half,
 /// they rest deeper in each other.
 constexpr std::size_t fewPoints = 192;
@@ -43,11 +43,13 @@ constexpr std::size_t fewSearched = 64;
 constexpr std::size_t partHere = 4;
 
 /// An impact passes on from one contact to the next in each sweep, so balls need as many sweeps as they have
-/// contacts, up to those of an island with few points. Bodies of other shapes turn and touch at other points,
-/// so their contacts are updated the more often, the fewer they are. Large islands of such bodies take three
-/// steps of one pass: overlaps at rest fall with the square of the step. With two steps of two passes, which
-/// cost more, heaps of a hundred bodies come to rest as late, with overlaps twice as deep; with two of one
-/// pass, three times as many frames of their fall have an overlap of more than a tenth of a body's half size.
+/// contacts, and nearly twice as many from three on, up to those of an island with few points: with as many,
+/// of 81 columns of balls that land one is a tenth of a radius in another. Bodies of other shapes turn and
+/// touch at other points, so their contacts are updated the more often, the fewer they are. Large islands of
+/// such bodies take three steps of one pass: overlaps at rest fall with the square of the step. With two
+/// steps of two passes, which cost more, heaps of a hundred bodies come to rest as late, with overlaps twice
+/// as deep; with two of one pass, three times as many frames of their fall have an overlap of more than a
+/// tenth of a body's half size.
 constexpr std::array<Division, 8> divisionsOfSubstep{Division{4, 4, 2}, {2, 4, 2}, {1, 4, 2}, {1, 2, 2},
                                                      {1, 1, 2},         {1, 2, 1}, {1, 1, 1}, {1, 3, 1}};
 
@@ -63,7 +65,7 @@ constexpr bool isForFewBalls(std::size_t number) { return number == 3 || number 
 std::uint8_t divisionNumber(const ContactCount& count) {
     if (count.points > fewPoints) return !count.round ? 7 : count.points > manyPoints ? 6 : 5;
     if (count.points == 0) return 2; // not known yet
-    if (count.round) return count.points >= 8 ? 2 : count.points >= 4 ? 3 : count.points >= 2 ? 4 : 6;
+    if (count.round) return count.points >= 4 ? 2 : count.points >= 3 ? 3 : count.points >= 2 ? 4 : 6;
     const std::size_t looks = std::clamp(pointsOfOneLook / count.points, std::size_t{1}, mostLooks);
     return looks >= 4 ? 0 : looks >= 2 ? 1 : 2;
 }
