@@ -28,6 +28,9 @@
 //     presets    differ by the sums alone: `fast` has a quarter of all of them, `accurate` twelve times the
 //                floor, and saves what 300 of its frames may take. What is nearly at rest, how fast the sum
 //                of the start fades, and when creeping bodies sleep (calm.h) is the same in all
+//     learned    an island that moves takes more for each pair, the more pairs it has. What such islands took
+//                of late says whether a share will do; where they share a frame, those for which it will not
+//                are not tried
 //     springs    an island in which nothing touches is left to its integrator
 //     unfinished what was not solved within its share is left to the base path and tried again after 1, 3, 7,
 //                ... 63 substeps: for an island that moves all the time failed attempts become rare, one that
@@ -82,8 +85,8 @@ class Refinement {
     static constexpr double mostShares = 4;
 
     explicit Refinement(std::size_t bodies)
-        : m_used(bodies, 0.0), m_wait(bodies, 0), m_failures(bodies, 0), m_stepped(bodies, 0),
-          m_isLone(bodies, 0) {}
+        : m_used(bodies, 0.0), m_moving(bodies, 0.0), m_wait(bodies, 0), m_failures(bodies, 0),
+          m_stepped(bodies, 0), m_isLone(bodies, 0) {}
 
     void choose(const RefinementInput& input, const RefinementBudget& budget);
     /// Records the work of an island that was refined.
@@ -122,14 +125,15 @@ class Refinement {
     }
 
     struct Memory {
-        double saved = 0;
+        double saved = 0, learned = 0;
         std::vector<std::uint8_t> wait, failures, stepped;
 
         std::size_t bytes() const { return heldBytes(wait, failures, stepped); }
     };
-    Memory memory() const { return {m_saved, m_wait, m_failures, m_stepped}; }
+    Memory memory() const { return {m_saved, m_learned, m_wait, m_failures, m_stepped}; }
     void recall(const Memory& memory) {
         m_saved = memory.saved;
+        m_learned = memory.learned;
         m_wait = memory.wait;
         m_failures = memory.failures;
         m_stepped = memory.stepped;
@@ -142,6 +146,8 @@ class Refinement {
         double open = 0; ///< openTo
     };
     bool nearlyRests(const RefinementInput& input, const Island& island) const;
+    /// What the work of an island that moves is in proportion to, 0 of others.
+    double movingWork(const RefinementInput& input, const Island& island, double expected) const;
     /// What an island may use of what is saved, if no other does.
     double openTo(const RefinementInput& input, const RefinementBudget& budget, const Island& island) const;
 
@@ -149,7 +155,9 @@ class Refinement {
     double m_spent = 0;                   // operations in this frame
     double m_income = 0, m_most = 0;      // of the substep; saved up to
     double m_fades = 1;                   // what a substep leaves of what is saved beyond that
+    double m_learned = 0;                 // what islands that move took of late, by m_moving
     std::vector<double> m_used;           // by body: operations its island took in this frame
+    std::vector<double> m_moving;         // by first body of a refined island: movingWork
     std::vector<std::uint8_t> m_wait;     // by body: substeps for which its island is not tried
     std::vector<std::uint8_t> m_failures; // by body: failed attempts in a row
     std::vector<std::uint8_t> m_stepped;  // by body, 1: on the base path

@@ -511,6 +511,37 @@ class RefinementTest : public QObject {
         QCOMPARE(refinement.refined().size(), 1U);
     }
 
+    // Where many islands share a frame, those are not tried that will not come to an end, as the work of
+    // others says; the same island alone is, and all are again when that is forgotten.
+    void islandsThatWillNotEndAreNotTriedInACrowd() {
+        const auto moving = [](const std::vector<std::size_t>& lengths) {
+            Crowd crowd(100);
+            crowd.chain(lengths);
+            for (Vec3& velocity : crowd.state.velocity) velocity = {2, 0, 0};
+            crowd.find();
+            return crowd;
+        };
+        const RefinementBudget budget{.floor = 1e6, .perItem = 200, .start = 0, .saved = 0};
+        const std::vector<std::size_t> alone{10};
+        std::vector<std::size_t> lengths{10};
+        lengths.resize(30, 2); // and 29 pairs
+        const Crowd crowd = moving(lengths), one = moving(alone);
+        Refinement refinement(100);
+        const auto isLongTried = [&](const Crowd& who) {
+            refinement.choose(who.input(), budget);
+            return isRefined(refinement, 0);
+        };
+        QVERIFY(isLongTried(crowd)); // nothing is known yet
+        for (int k = 0; k < 30; ++k)
+            for (const Refinement::Choice& choice : refinement.refined())
+                if (choice.island != 0) refinement.spend(crowd.islands[choice.island], 2e4);
+        QVERIFY(!isLongTried(crowd));
+        QVERIFY(isRefined(refinement, 1)); // a pair's share is enough
+        QVERIFY(isLongTried(one));
+        for (int frame = 0; frame < 100; ++frame) refinement.choose(one.input(), budget);
+        QVERIFY(isLongTried(crowd));
+    }
+
     void whatItRemembersGoesOnAsItDid() {
         Random random(test::seed, 3);
         const Crowd crowd = randomCrowd(random, 100);
@@ -519,11 +550,13 @@ class RefinementTest : public QObject {
         const auto live = [&](Refinement& refinement, std::uint64_t stream) {
             Random fate(test::seed, stream);
             refinement.choose(crowd.input(), budget);
-            for (const Refinement::Choice& choice : refinement.refined())
+            for (const Refinement::Choice& choice : refinement.refined()) {
+                refinement.spend(crowd.islands[choice.island], fate.uniform(0, 1e5));
                 if (fate.below(2) == 0)
                     refinement.setBack(crowd.islands[choice.island]);
                 else
                     refinement.succeeded(crowd.islands[choice.island]);
+            }
             refinement.pay(fate.uniform(0, 1e5), fate.uniform(0, 1e4));
         };
         for (std::uint64_t k = 0; k < 50; ++k) live(one, k);
@@ -540,6 +573,7 @@ class RefinementTest : public QObject {
             for (const BodyIndex body : crowd.bodies.mobileBodies)
                 QCOMPARE(one.isStepped(body), other.isStepped(body));
             QCOMPARE(one.memory().saved, other.memory().saved);
+            QCOMPARE(one.memory().learned, other.memory().learned);
             waited = waited || !one.stepped().empty();
         }
         QVERIFY(waited);
