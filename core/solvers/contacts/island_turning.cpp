@@ -49,6 +49,10 @@ constexpr double sameFace = 0.5;
 /// The change of a round over that of the one before, beyond which rounds do not converge. At half, rounds
 /// end that would converge after one larger change; at twice, those that diverge go on longer.
 constexpr double mostGrowth = 2;
+/// Rounds in a row whose change is not the smallest so far, until the part counts as too long: they go
+/// back and forth between two sets of contacts. Without, a part of a stick that comes down flat takes all 30
+/// rounds, which is half of what its frame may.
+constexpr int mostStale = 4;
 /// Rounds that lose a point until the part counts as too long. With one, parts are halved that the next round
 /// would find a solution for; with four, such parts cost twice as much before they are halved.
 constexpr int mostLosses = 2;
@@ -98,8 +102,9 @@ void IslandMotion::turnContacts(const MotionInput& input, double duration) {
     m_presses.assign(m_contacts.points.size(), 0);
     for (std::size_t i = 0; i < m_rowPoint.size(); ++i)
         m_presses[m_rowPoint[i]] = m_problem.rows[i].impulse.x() > 0 ? 1 : 0;
-    double before = std::numeric_limits<double>::infinity();
+    double before = std::numeric_limits<double>::infinity(), least = before;
     int losses = 0; // rounds in which a point was not found again
+    int stale = 0;  // rounds in a row that brought no smaller change
     for (int round = 0; round < mostTurningRounds; ++round) {
         if (m_unsolved || remaining(input) <= 0) {
             m_unsolved = true;
@@ -121,6 +126,9 @@ void IslandMotion::turnContacts(const MotionInput& input, double duration) {
         // What a solve leaves, because bounds contradict each other, differs from round to round.
         const bool isFound = change <= std::max(m_tolerance, m_residual);
         m_turnsTooFar = isLost && (losses == mostLosses || isFound);
+        stale = change < least ? 0 : stale + 1;
+        least = std::min(least, change);
+        m_turnsTooFar = m_turnsTooFar || (!isFound && stale == mostStale);
         if (m_turnsTooFar || isFound) return;
         if (!(change <= mostGrowth * before)) { // the rounds diverge: uses the contacts of the start
             beginPart(input, duration);
