@@ -105,7 +105,8 @@ void IslandMotion::move(const MotionInput& input, const Island& island) {
         if (remaining(input) <= 0) return giveUp();
         double duration = solvePart(input, findsImpacts ? std::min(left, longest) : left, findsImpacts);
         longest = 2 * duration;
-        if (duration < left) ++events;
+        const bool isShort = duration < left;
+        if (isShort) ++events;
         if (findsImpacts && !m_unsolved && remaining(input) > 0) {
             double event = firstImpact(input, duration);
             if (event >= duration && accurate) event = firstStop(input, duration);
@@ -114,7 +115,7 @@ void IslandMotion::move(const MotionInput& input, const Island& island) {
                 duration = solvePart(input, duration, findsImpacts);
                 duration = lessSunkIn(input, duration);
                 if (m_rollsOn) longest = 2 * duration;
-                ++events;
+                if (!isShort) ++events; // counted above
                 if (!m_springs.empty()) duration = relocated(input, duration);
             }
         }
