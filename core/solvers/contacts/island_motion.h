@@ -160,6 +160,7 @@ class IslandMotion {
     double firstImpact(const MotionInput& input, double duration);
     bool mayMeet(const MotionInput& input, std::uint32_t p, double duration) const;
     bool gainsEnergy(const MotionInput& input, double duration, double most) const;
+    bool pushesApart() const;
     bool mayMissImpact(const MotionInput& input, double duration);
     bool sinkIn(const MotionInput& input, double duration);
     double overlapOf(const ContactPair& pair) const;
