@@ -164,6 +164,26 @@ double IslandMotion::lessDeep(const MotionInput& input, const ContactPair& pair,
     return time;
 }
 
+bool IslandMotion::anyWaits(const ContactPair& pair) const {
+    const auto first = m_waits.begin() + pair.first;
+    return std::any_of(first, first + pair.count, [](std::uint8_t wait) { return wait != 0; });
+}
+
+// Whether the contact point in which the bodies of a pair are nearest now is one that waits.
+bool IslandMotion::waitsAt(const MotionInput& input, const ContactPair& pair, const Pose& poseA,
+                           const Pose& poseB, const Vec3& place) const {
+    const Pose& anchorPose = isWall(input.bodies.shape[pair.b]) ? poseA : poseB;
+    bool waits = false;
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::uint32_t i = pair.first; i < pair.first + pair.count; ++i) {
+        const double distance = (anchorPose.toWorld(m_contacts.points[i].anchor) - place).squaredNorm();
+        if (!(distance < nearest)) continue;
+        nearest = distance;
+        waits = m_waits[i] != 0;
+    }
+    return waits;
+}
+
 // When two bodies that nothing holds together meet, at `first` or before; infinite if they do not.
 double IslandMotion::nextContact(const MotionInput& input, const ContactPair& pair, double first,
                                  double duration) {
@@ -185,14 +205,16 @@ double IslandMotion::nextContact(const MotionInput& input, const ContactPair& pa
         const double closing = near.normal.dot(velocityA - velocityB);
         // An impact at low speed between bodies whose contact could take a force has been treated by that
         // force, unless they sink in behind it: elsewhere, because they turn.
-        const bool waits =
-            std::any_of(m_waits.begin() + pair.first, m_waits.begin() + pair.first + pair.count,
-                        [](std::uint8_t wait) { return wait != 0; });
-        if (!waits && closing <= gentleClosing(pair)) {
-            if (!isDeep(input, pair, first, duration)) return never;
+        if (closing <= gentleClosing(pair) &&
+            !waitsAt(input, pair, poseA, poseB, 0.5 * (near.onA + near.onB))) {
+            // Points of the pair that wait come later: they are followed one by one, as in pairs that are
+            // held.
+            const double corner = anyWaits(pair) ? nextCorner(input, pair, first, duration) : never;
+            const double end = std::min(corner, first);
+            if (!isDeep(input, pair, end, duration)) return corner;
             // Touching at the start, with nothing to stop: the contact could be followed, but without a force
             // at the end, where the rim has turned away. In less time it has one.
-            if (t < rolledOn * first) return lessDeep(input, pair, first, duration);
+            if (t < rolledOn * end) return lessDeep(input, pair, end, duration);
         }
         if (!(closing > 0) || std::abs(near.distance) <= reached * touchingWithin(pair)) break;
         t = std::clamp(t + near.distance / closing, 0.0, duration);

@@ -188,6 +188,9 @@ class IslandMotion {
     double fastestApproach(const MotionInput& input, const ContactPair& pair) const;
     bool isDeep(const MotionInput& input, const ContactPair& pair, double time, double duration);
     double lessDeep(const MotionInput& input, const ContactPair& pair, double time, double duration);
+    bool anyWaits(const ContactPair& pair) const;
+    bool waitsAt(const MotionInput& input, const ContactPair& pair, const Pose& poseA, const Pose& poseB,
+                 const Vec3& place) const;
     double nextContact(const MotionInput& input, const ContactPair& pair, double first, double duration);
     double nextCorner(const MotionInput& input, const ContactPair& pair, double first, double duration) const;
     double impactTime(const MotionInput& input, const ContactPair& pair, double time, double duration) const;
