@@ -9,11 +9,11 @@ namespace carom {
 namespace {
 
 /// Some milliseconds a frame where nothing else bounds the work, and less than a second in one that draws on
-/// what was saved: what 300 frames may take, a quarter of it at once. A tower of 100 cubes built by hand
-/// lands in five frames that need 1.1e9 operations: at a third of the reserve it leans by 4 mm. At five
-/// sixths of the effort, or of the reserve, steps of the pyramid may overlap by more than a millionth of
-/// their radius under falling spheres; at twice the reserve, a frame may take more than a second.
-constexpr double accurateEffort = 12, accurateReserve = 90;
+/// what was saved: what 200 frames may take, a quarter of it at once. With reserves of 50 to 110, steps of
+/// the pyramid under falling spheres overlap by at most a billionth of their radius, at 40 by a millionth; at
+/// one and a half times this reserve, scenes of some twenty bodies take up to 49 times as long as by default,
+/// with this up to 38 times.
+constexpr double accurateEffort = 12, accurateReserve = 60;
 /// Ratio of masses in contact up to which sweeps support a body in an island that is too large to be solved
 /// exactly. At twice that a heavy body sinks in twice as far.
 constexpr double mostMassRatio = 1000;
