@@ -40,6 +40,23 @@ Scene leaningBlock() {
     return sceneOf({floorOf(10), rough(turned(block, Vec3(0, 0, angle)), 10)}, downwards());
 }
 
+constexpr double discRadius = 0.064, discThickness = 0.0064; ///< [m]
+
+/// Of discs that stand on their rims and spin about a diameter [rad/s], with and without friction and bounce.
+WorstOfRun worstOfDiscs(const QByteArray& preset, double spin) {
+    WorstOfRun worst;
+    for (const double e : {0.0, 0.5}) {
+        for (const double friction : {0.0, 0.3}) {
+            Body disc = turned(cylinder(discRadius, discThickness, 0.1, Vec3(0, 1.1 * discRadius, 0)),
+                               std::atan2(1, -0.33) * Vec3(0, 0, -1));
+            disc = rough(moving(disc, Vec3::Zero(), Vec3(0, spin, 0)), friction, e);
+            World world = worldOf(sceneOf({floorOf(friction, e), disc}, downwards()), contacts(preset));
+            worst.include(worstOf(world, 300));
+        }
+    }
+    return worst;
+}
+
 /// The angle from standing after `time`: a pendulum about the edge, I θ'' = −m g r sin(critical − θ), by
 /// Runge's and Kutta's rule in steps too small to matter.
 double leanAfter(double time) {
@@ -188,24 +205,13 @@ class TurningContactsTest : public QObject {
     void spinningDiscsGainNoEnergy_data() { everyPreset(); }
     void spinningDiscsGainNoEnergy() {
         QFETCH(QByteArray, preset);
-        constexpr double radius = 0.064, thickness = 0.0064; // [m]
-        constexpr double allowed = 0.02 * radius;            // mostCorrection: no substep adds more
+        constexpr double allowed = 0.02 * discRadius; // mostCorrection: no substep adds more
         constexpr double mostGained = 2e-3; // a part of a substep may give a thousandth (island_motion.cpp)
         WorstOfRun worst;
         for (const double spin : {100.0, 250.0, 500.0, 725.0, 1000.0}) {
-            for (const double e : {0.0, 0.5}) {
-                for (const double friction : {0.0, 0.3}) {
-                    Body disc = turned(cylinder(radius, thickness, 0.1, Vec3(0, 1.1 * radius, 0)),
-                                       std::atan2(1, -0.33) * Vec3(0, 0, -1));
-                    disc = rough(moving(disc, Vec3::Zero(), Vec3(0, spin, 0)), friction, e);
-                    World world =
-                        worldOf(sceneOf({floorOf(friction, e), disc}, downwards()), contacts(preset));
-                    const WorstOfRun run = worstOf(world, 300);
-                    qInfo("%4.0f rad/s, e %.1f, friction %.1f: gained %.1e, sunk in by %.1e", spin, e,
-                          friction, run.gained, run.overlap / thickness);
-                    worst.include(run);
-                }
-            }
+            const WorstOfRun run = worstOfDiscs(preset, spin);
+            qInfo("%4.0f rad/s: gained %.1e, sunk in by %.1e", spin, run.gained, run.overlap / discThickness);
+            worst.include(run);
         }
         QVERIFY(worst.gained < mostGained);
         QVERIFY(worst.overlap < allowed);
@@ -217,22 +223,11 @@ class TurningContactsTest : public QObject {
     void aForceInAGapGivesNoEnergy_data() { everyPreset(); }
     void aForceInAGapGivesNoEnergy() {
         QFETCH(QByteArray, preset);
-        constexpr double radius = 0.064, thickness = 0.0064; // [m]
         constexpr double mostGained = 1e-3; // in a run no more than one part may give (island_motion.cpp)
         WorstOfRun worst;
-        for (double spin = 960; spin < 1040; spin += preset == "accurate" ? 16 : 4) {
-            for (const double e : {0.0, 0.5}) {
-                for (const double friction : {0.0, 0.3}) {
-                    Body disc = turned(cylinder(radius, thickness, 0.1, Vec3(0, 1.1 * radius, 0)),
-                                       std::atan2(1, -0.33) * Vec3(0, 0, -1));
-                    disc = rough(moving(disc, Vec3::Zero(), Vec3(0, spin, 0)), friction, e);
-                    World world =
-                        worldOf(sceneOf({floorOf(friction, e), disc}, downwards()), contacts(preset));
-                    worst.include(worstOf(world, 300));
-                }
-            }
-        }
-        qInfo("gained %.1e, sunk in by %.1e of the thickness", worst.gained, worst.overlap / thickness);
+        for (double spin = 960; spin < 1040; spin += preset == "accurate" ? 16 : 4)
+            worst.include(worstOfDiscs(preset, spin));
+        qInfo("gained %.1e, sunk in by %.1e of the thickness", worst.gained, worst.overlap / discThickness);
         QVERIFY(worst.gained < mostGained);
     }
 
