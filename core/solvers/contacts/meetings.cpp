@@ -14,7 +14,6 @@ namespace carom {
 namespace {
 
 using Four = std::array<std::uint32_t, wideLanes>;
-using Lanes = std::int64_t __attribute__((vector_size(32))); // all bits of a lane, or none
 
 struct WideCourse {
     Wide3 place, velocity;
@@ -24,7 +23,7 @@ struct WideCourse {
         return place + (smaller(time, ends) - begins) * velocity;
     }
     CAROM_INLINE Wide3 velocityAt(const Wide& time) const {
-        const Lanes goesOn = time < ends;
+        const WideMask goesOn = time < ends;
         const Wide zero{};
         return {goesOn ? velocity.x : zero, goesOn ? velocity.y : zero, goesOn ? velocity.z : zero};
     }
@@ -53,7 +52,7 @@ CAROM_INLINE WideCourse inAllLanes(const Course& one, double extent) {
 struct WideMeeting {
     Wide from = wideOf(std::numeric_limits<double>::infinity()), until = -from;
 
-    CAROM_INLINE void include(const Lanes& where, const Wide& first, const Wide& last) {
+    CAROM_INLINE void include(const WideMask& where, const Wide& first, const Wide& last) {
         from = where ? smaller(from, first) : from;
         until = where ? larger(until, last) : until;
     }
@@ -66,7 +65,7 @@ CAROM_INLINE WideMeeting meetingOf(const WideCourse& a, const WideCourse& b, Wid
     Wide3 between = b.placeAt(time) - a.placeAt(time);
     Wide excess = dot(between, between) - within;
     for (const Wide& end : {smaller(a.ends, b.ends), larger(a.ends, b.ends)}) {
-        const Lanes isLater = end > time;
+        const WideMask isLater = end > time;
         if (!anyLane(isLater)) continue; // most end together
         const Wide3 velocity = b.velocityAt(time) - a.velocityAt(time);
         const Wide duration = isLater ? end - time : zero;
@@ -74,7 +73,7 @@ CAROM_INLINE WideMeeting meetingOf(const WideCourse& a, const WideCourse& b, Wid
         const Wide excessThen = dot(then, then) - within;
         const Wide square = dot(velocity, velocity), approach = -dot(between, velocity);
         const Wide discriminant = approach * approach - square * excess;
-        const Lanes isInside = (approach > zero) & (approach < square * duration) & (discriminant >= zero);
+        const WideMask isInside = (approach > zero) & (approach < square * duration) & (discriminant >= zero);
         const Wide root = rootOf(larger(zero, discriminant));
         meeting.include(isLater & ((excess <= zero) | (excessThen <= zero) | isInside),
                         excess <= zero ? time : time + (approach - root) / square,
