@@ -2,6 +2,7 @@
 #include "core/broadphase/pair_keys.h"
 
 namespace carom {
+
 void PairOrder::tidy(std::vector<PairKey>& keys, const BroadphaseInput& input) {
     m_firstEnds.assign(input.boxes.size() + 1, 0);
     m_secondEnds.assign(input.boxes.size() + 1, 0);

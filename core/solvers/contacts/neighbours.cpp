@@ -206,15 +206,6 @@ bool Neighbours::coversFlight(const Bodies& bodies, const State& state, BodyInde
                               const Flight& flight) {
     const auto [room, time, fall] = flight;
     const Course& course = m_course[body];
-    if (std::holds_alternative<Sphere>(bodies.shape[body]) && m_now + time <= course.ends) {
-        // The usual case of what is computed below; what is not asked for here is asked for in the end.
-        const Vec3 place = course.place + (m_now - course.begins) * course.velocity;
-        const double moved = (state.pose[body].position - place).norm();
-        const double leaves = time * (state.velocity[body] - course.velocity).norm() + fall;
-        m_drift[body] = fall;
-        m_moved[body] = moved;
-        if (moved + leaves + room <= m_skin[body]) return true;
-    }
     noteMoved(bodies, state, body);
     m_drift[body] = turnIn(bodies, state, body, m_frame) + fall;
     const double leaves = time * (state.velocity[body] - course.velocityAt(m_now)).norm() + fall;

@@ -82,10 +82,33 @@ void Refinement::pay(double refined, double base) {
 }
 
 void Refinement::choose(const RefinementInput& input, const RefinementBudget& budget) {
-    const Islands& islands = input.islands;
     m_refined.clear();
     m_base.clear();
     m_lone.clear();
+    const double items = findExpected(input);
+    m_income = (budget.floor + budget.perItem * items) / input.parts;
+    m_most = budget.saved;
+    m_fades = std::pow(startFades, 1.0 / input.parts);
+    if (m_saved < 0) m_saved = budget.start;
+    if (input.part == 0) {
+        std::fill(m_used.begin(), m_used.end(), 0.0);
+        m_spent = 0;
+    }
+    shareOut(input, budget);
+    m_learned *= 1 - forgetting / input.parts;
+    std::sort(m_refined.begin(), m_refined.end(),
+              [](const Choice& one, const Choice& other) { return one.island < other.island; });
+    std::sort(m_base.begin(), m_base.end());
+    for (const BodyIndex body : input.members)
+        if (std::exchange(m_isLone[body], std::uint8_t{0}) != 0) m_lone.push_back(body);
+    for (const std::uint32_t island : m_base)
+        for (const BodyIndex body : input.islands[island].bodies) m_stepped[body] = 1;
+}
+
+// Finds the islands that may be refined, those first that are expected to cost least, and what becomes of the
+// others. Returns how many bodies and pairs the budget grows with.
+double Refinement::findExpected(const RefinementInput& input) {
+    const Islands& islands = input.islands;
     m_expected.clear();
     m_isTriedSoon.assign(islands.count(), 0);
     m_backOff.assign(islands.count(), (1 << mostFailures) - 1);
@@ -124,29 +147,21 @@ void Refinement::choose(const RefinementInput& input, const RefinementBudget& bu
     std::sort(m_expected.begin(), m_expected.end(), [](const Expected& one, const Expected& other) {
         return one.work != other.work ? one.work < other.work : one.island < other.island;
     });
-    m_income = (budget.floor + budget.perItem * items) / input.parts;
-    m_most = budget.saved;
-    m_fades = std::pow(startFades, 1.0 / input.parts);
-    if (m_saved < 0) m_saved = budget.start;
+    return items;
+}
+
+// Gives these islands their shares of the substep's income and of what is saved, as long as the income lasts.
+void Refinement::shareOut(const RefinementInput& input, const RefinementBudget& budget) {
     double left = m_income, squares = 0;
-    if (input.part == 0) {
-        std::fill(m_used.begin(), m_used.end(), 0.0);
-        m_spent = 0;
-    }
     for (Expected& expected : m_expected) {
-        expected.open = openTo(input, budget, islands[expected.island]);
+        expected.open = openTo(input, budget, input.islands[expected.island]);
         if (expected.open > 0) squares += expected.work * expected.work;
     }
     const double part = std::min(1.0, (mostShares - mostFloors) /
                                           std::max<double>(1, static_cast<double>(m_expected.size())));
     for (const Expected& expected : m_expected) {
-        if (expected.work > left) {
-            m_base.push_back(expected.island);
-            continue;
-        }
-        left -= expected.work;
+        const Island island = input.islands[expected.island];
         double used = 0;
-        const Island island = islands[expected.island];
         for (const BodyIndex body : island.bodies) used = std::max(used, m_used[body]);
         const double times = island.links.empty() ? 1 : forSprings;
         const double floor = times * budget.floor;
@@ -154,21 +169,15 @@ void Refinement::choose(const RefinementInput& input, const RefinementBudget& bu
         double most = std::max(share - used, times * mostOverrun * expected.work);
         if (expected.open > 0) most += expected.open * expected.work * expected.work / squares;
         const double moving = movingWork(input, island, expected.work);
-        if (part < 1 && m_learned * moving > most) {
+        const bool willEnd = part == 1 || m_learned * moving <= most;
+        if (expected.work > left || !willEnd) {
             m_base.push_back(expected.island);
             continue;
         }
+        left -= expected.work;
         m_moving[island.bodies.front()] = moving;
         m_refined.push_back({expected.island, most});
     }
-    m_learned *= 1 - forgetting / input.parts;
-    std::sort(m_refined.begin(), m_refined.end(),
-              [](const Choice& one, const Choice& other) { return one.island < other.island; });
-    std::sort(m_base.begin(), m_base.end());
-    for (const BodyIndex body : input.members)
-        if (std::exchange(m_isLone[body], std::uint8_t{0}) != 0) m_lone.push_back(body);
-    for (const std::uint32_t island : m_base)
-        for (const BodyIndex body : islands[island].bodies) m_stepped[body] = 1;
 }
 
 void Refinement::spend(const Island& island, double operations) {

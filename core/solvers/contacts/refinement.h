@@ -26,7 +26,7 @@
 //                need it. The base path's work is paid from the same budget, so bodies that move all the time
 //                save nothing.
 //     presets    differ by the sums alone: `fast` has a quarter of all of them, `accurate` twelve times the
-//                floor, and saves what 300 of its frames may take. What is nearly at rest, how fast the sum
+//                floor, and saves what 200 of its frames may take. What is nearly at rest, how fast the sum
 //                of the start fades, and when creeping bodies sleep (calm.h) is the same in all
 //     learned    an island that moves takes more for each pair, the more pairs it has. What such islands took
 //                of late says whether a share will do; where they share a frame, those for which it will not
@@ -145,6 +145,8 @@ class Refinement {
         std::uint32_t island = 0;
         double open = 0; ///< openTo
     };
+    double findExpected(const RefinementInput& input);
+    void shareOut(const RefinementInput& input, const RefinementBudget& budget);
     bool nearlyRests(const RefinementInput& input, const Island& island) const;
     /// What the work of an island that moves is in proportion to, 0 of others.
     double movingWork(const RefinementInput& input, const Island& island, double expected) const;
