@@ -3,6 +3,7 @@
 
 #include "core/base/index.h"
 #include "core/base/sentence.h"
+#include "core/base/workers.h"
 #include "core/math/aabb.h"
 
 #include <cstdint>
@@ -36,6 +37,7 @@ struct BroadphaseInput {
     std::span<const Aabb> boxes;
     std::span<const BodyIndex> bodies;
     std::span<const std::uint8_t> mobile; ///< 1 where the body can move
+    Workers* workers = &Workers::alone(); ///< that may share the search; the pairs are the same
 };
 
 class Broadphase {

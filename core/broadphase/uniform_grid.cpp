@@ -27,6 +27,9 @@ constexpr double slack = 1.002;
 // ... as long as indices stay below 2^40: far from the origin cells are widened to that. At 2^51 the slack
 // would be less than the rounding of an index, and pairs would be lost.
 constexpr double mostCells = 1.0995e12;
+// Boxes of which one thread finds the pairs, at least; one takes some .3 us. At half, waking a thread costs
+// nearly what it saves; at twice, some hundred boxes have one.
+constexpr std::size_t fewBoxes = 256;
 
 double halfWidth(const Aabb& box) { return (0.5 * box.upper - 0.5 * box.lower).maxCoeff(); }
 Vec3 centreOf(const Aabb& box) { return 0.5 * box.lower + 0.5 * box.upper; } // cannot overflow
@@ -42,33 +45,46 @@ std::int64_t floorOf(double value) {
 
 } // namespace
 
+void UniformGrid::Finds::clear() {
+    pairs.clear();
+    tested = cells = 0;
+}
+
+void UniformGrid::Finds::append(const Finds& others) {
+    pairs.insert(pairs.end(), others.pairs.begin(), others.pairs.end());
+    tested += others.tested;
+    cells += others.cells;
+}
+
+std::size_t UniformGrid::Finds::bytes() const {
+    return pairs.capacity() * sizeof(PairKey) + ranges.capacity() * sizeof(BoxRange) +
+           hits.capacity() * sizeof(std::uint32_t);
+}
+
 void UniformGrid::update(const BroadphaseInput& input) {
-    m_counters = {};
-    m_found.clear();
     makeLevels(input);
     place(input);
-    for (std::uint32_t p = 0; p < m_placed.size(); ++p) {
-        const Aabb& box = input.boxes[m_placed[p].entry];
-        m_ranges.clear();
-        if (p < m_inTable) {
-            addNeighbours(p);
-            addCoarser(p, box);
-        } else {
-            addRange(0, p);
-        }
-        compare(p, box);
-    }
-    m_order.tidy(m_found, input);
-    translate(m_found, input, m_pairs);
+    const std::span<Finds> parts = input.workers->forKeptLists(
+        m_placed.size(), fewBoxes, m_finds, [&](std::size_t begin, std::size_t end, Finds& finds) {
+            for (std::size_t p = begin; p < end; ++p)
+                find(static_cast<std::uint32_t>(p), input.boxes[m_placed[p].entry], finds);
+        });
+    Finds& all = parts.front();
+    for (const Finds& part : parts.subspan(1)) all.append(part);
+    m_order.tidy(all.pairs, input);
+    translate(all.pairs, input, m_pairs);
 
+    m_counters = {};
     m_counters.boxes = input.boxes.size();
     m_counters.pairs = m_pairs.size();
-    m_counters.memoryBytes =
-        m_levels.capacity() * sizeof(Level) + m_byExponent.capacity() * sizeof(Level) + m_levelOf.capacity() +
-        (m_slots.capacity() + m_starts.capacity()) * sizeof(std::uint32_t) +
-        m_placed.capacity() * sizeof(Placed) + m_boxes.bytes() + m_ranges.capacity() * sizeof(BoxRange) +
-        m_hits.capacity() * sizeof(std::uint32_t) + m_found.capacity() * sizeof(PairKey) + m_order.bytes() +
-        m_pairs.capacity() * sizeof(BodyPair);
+    m_counters.tested = all.tested;
+    m_counters.cells = all.cells;
+    m_counters.memoryBytes = m_levels.capacity() * sizeof(Level) + m_byExponent.capacity() * sizeof(Level) +
+                             m_levelOf.capacity() +
+                             (m_slots.capacity() + m_starts.capacity()) * sizeof(std::uint32_t) +
+                             m_placed.capacity() * sizeof(Placed) + m_boxes.bytes() + m_order.bytes() +
+                             m_pairs.capacity() * sizeof(BodyPair);
+    for (const Finds& finds : m_finds) m_counters.memoryBytes += finds.bytes();
 }
 
 // From the widest down: a class of widths (one binary exponent) joins the level above if, by the density of
@@ -176,56 +192,67 @@ std::uint64_t UniformGrid::slotOf(const Cell& cell, std::uint32_t level) const {
            m_mask;
 }
 
-// The rest of its own row, and those four of the eight neighbouring rows from which it is not itself found.
-void UniformGrid::addNeighbours(std::uint32_t place) {
-    const std::uint64_t slot = m_slots[m_placed[place].entry];
-    addRange(place + 1, m_starts[slot + 1]);
-    addRow(slot + 1, 1);
-    addRow(slot - 1 + m_strideY, 3);
-    addRow(slot - 1 + m_strideZ, 3);
-    addRow(slot - 1 + m_strideZ + m_strideY, 3);
-    addRow(slot - 1 + m_strideZ - m_strideY, 3);
+void UniformGrid::find(std::uint32_t place, const Aabb& box, Finds& finds) const {
+    finds.ranges.clear();
+    if (place < m_inTable) {
+        addNeighbours(place, finds);
+        addCoarser(place, box, finds);
+    } else {
+        finds.addRange(0, place);
+    }
+    compare(place, box, finds);
 }
 
-void UniformGrid::addCoarser(std::uint32_t place, const Aabb& box) {
+// The rest of its own row, and those four of the eight neighbouring rows from which it is not itself found.
+void UniformGrid::addNeighbours(std::uint32_t place, Finds& finds) const {
+    const std::uint64_t slot = m_slots[m_placed[place].entry];
+    finds.addRange(place + 1, m_starts[slot + 1]);
+    addRow(slot + 1, 1, finds);
+    addRow(slot - 1 + m_strideY, 3, finds);
+    addRow(slot - 1 + m_strideZ, 3, finds);
+    addRow(slot - 1 + m_strideZ + m_strideY, 3, finds);
+    addRow(slot - 1 + m_strideZ - m_strideY, 3, finds);
+}
+
+void UniformGrid::addCoarser(std::uint32_t place, const Aabb& box, Finds& finds) const {
     for (std::uint32_t level = 0; level < m_placed[place].level; ++level) {
         const Vec3 reach = Vec3::Constant(slack * m_levels[level].largest);
         const Cell low = cellOf(box.lower - reach, m_levels[level]);
         const Cell high = cellOf(box.upper + reach, m_levels[level]);
         for (std::int64_t z = low.z; z <= high.z; ++z)
             for (std::int64_t y = low.y; y <= high.y; ++y)
-                addRow(slotOf({low.x, y, z}, level), static_cast<std::uint64_t>(high.x - low.x + 1));
+                addRow(slotOf({low.x, y, z}, level), static_cast<std::uint64_t>(high.x - low.x + 1), finds);
     }
 }
 
 // The boxes of `width` neighbouring slots; the table is a ring.
-void UniformGrid::addRow(std::uint64_t slot, std::uint64_t width) {
+void UniformGrid::addRow(std::uint64_t slot, std::uint64_t width, Finds& finds) const {
     const std::uint64_t first = slot & m_mask, slots = m_mask + 1;
-    if (first + width <= slots) return addRange(m_starts[first], m_starts[first + width]);
-    addRange(m_starts[first], m_starts[slots]);
-    addRange(0, m_starts[first + width - slots]);
+    if (first + width <= slots) return finds.addRange(m_starts[first], m_starts[first + width]);
+    finds.addRange(m_starts[first], m_starts[slots]);
+    finds.addRange(0, m_starts[first + width - slots]);
 }
 
-void UniformGrid::addRange(std::uint32_t begin, std::uint32_t end) {
-    ++m_counters.cells;
-    if (begin < end) m_ranges.push_back({begin, end});
+void UniformGrid::Finds::addRange(std::uint32_t begin, std::uint32_t end) {
+    ++cells;
+    if (begin < end) ranges.push_back({begin, end});
 }
 
-void UniformGrid::compare(std::uint32_t place, const Aabb& box) {
+void UniformGrid::compare(std::uint32_t place, const Aabb& box, Finds& finds) const {
     std::size_t room = wideLanes;
-    for (const BoxRange& range : m_ranges) room += range.end - range.begin;
-    m_counters.tested += room - wideLanes;
-    if (m_hits.size() < room) m_hits.resize(room);
-    const std::size_t hits = overlapping(m_boxes, box, m_ranges, m_hits.data());
+    for (const BoxRange& range : finds.ranges) room += range.end - range.begin;
+    finds.tested += room - wideLanes;
+    if (finds.hits.size() < room) finds.hits.resize(room);
+    const std::size_t hits = overlapping(m_boxes, box, finds.ranges, finds.hits.data());
     const std::uint32_t entry = m_placed[place].entry;
-    const std::size_t before = m_found.size();
-    m_found.resize(before + hits);
-    PairKey* to = m_found.data() + before;
+    const std::size_t before = finds.pairs.size();
+    finds.pairs.resize(before + hits);
+    PairKey* to = finds.pairs.data() + before;
     for (std::size_t k = 0; k < hits; ++k) {
-        *to = pairKey(entry, m_placed[m_hits[k]].entry);
-        to += static_cast<std::size_t>(m_hits[k] != place); // on a small ring it may find itself
+        *to = pairKey(entry, m_placed[finds.hits[k]].entry);
+        to += static_cast<std::size_t>(finds.hits[k] != place); // on a small ring it may find itself
     }
-    m_found.resize(static_cast<std::size_t>(to - m_found.data()));
+    finds.pairs.resize(static_cast<std::size_t>(to - finds.pairs.data()));
 }
 
 std::vector<Aabb> UniformGrid::structure() const {

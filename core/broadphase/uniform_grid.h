@@ -5,6 +5,9 @@
 #include "core/broadphase/broadphase.h"
 #include "core/broadphase/pair_keys.h"
 
+#include <cstdint>
+#include <vector>
+
 // Cells as wide as the largest box: whatever overlaps a box has its centre in the same cell as the box's or
 // in a neighbouring one.
 //
@@ -44,11 +47,23 @@ class UniformGrid final : public Broadphase {
 
     void makeLevels(const BroadphaseInput& input);
     void place(const BroadphaseInput& input);
-    void addNeighbours(std::uint32_t place);
-    void addCoarser(std::uint32_t place, const Aabb& box);
-    void addRow(std::uint64_t slot, std::uint64_t width);
-    void addRange(std::uint32_t begin, std::uint32_t end);
-    void compare(std::uint32_t place, const Aabb& box);
+    /// Pairs of some of the boxes.
+    struct Finds {
+        std::vector<PairKey> pairs;
+        std::uint64_t tested = 0, cells = 0; ///< as counted (broadphase.h)
+        std::vector<BoxRange> ranges;        ///< of m_placed: those that one box is compared with
+        std::vector<std::uint32_t> hits;     ///< of these
+
+        void clear();
+        void append(const Finds& others);
+        std::size_t bytes() const;
+        void addRange(std::uint32_t begin, std::uint32_t end);
+    };
+    void find(std::uint32_t place, const Aabb& box, Finds& finds) const;
+    void addNeighbours(std::uint32_t place, Finds& finds) const;
+    void addCoarser(std::uint32_t place, const Aabb& box, Finds& finds) const;
+    void addRow(std::uint64_t slot, std::uint64_t width, Finds& finds) const;
+    void compare(std::uint32_t place, const Aabb& box, Finds& finds) const;
     static Cell cellOf(const Vec3& point, const Level& level);
     std::uint64_t slotOf(const Cell& cell, std::uint32_t level) const;
 
@@ -59,12 +74,10 @@ class UniformGrid final : public Broadphase {
     std::vector<std::uint32_t> m_starts;        ///< first place of a slot; one more for the end
     std::vector<Placed> m_placed;               ///< by slot, then entry; after them the loose ones
     BoxColumns m_boxes;                         ///< of m_placed
-    std::vector<BoxRange> m_ranges;             ///< of m_placed: those that one of them is compared with
-    std::vector<std::uint32_t> m_hits;          ///< of these
     std::uint32_t m_inTable = 0;                ///< of m_placed
     std::uint64_t m_mask = 0;                   ///< slots - 1
     std::uint64_t m_strideY = 0, m_strideZ = 0; ///< Y and Z above
-    std::vector<PairKey> m_found;
+    std::vector<Finds> m_finds;                 ///< of one thread each
     PairOrder m_order;
 };
 

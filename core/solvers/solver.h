@@ -8,7 +8,7 @@
 #include "core/dynamics/bodies.h"
 #include "core/dynamics/contact_constraint.h"
 #include "core/dynamics/ledger.h"
-#include "core/dynamics/parallel.h"
+#include "core/base/workers.h"
 #include "core/dynamics/smooth_motion.h"
 #include "core/dynamics/state.h"
 #include "core/dynamics/work_counters.h"

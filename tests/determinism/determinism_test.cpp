@@ -5,7 +5,7 @@
 #include "tests/support/text.h"
 #include "tests/support/worlds.h"
 
-#include "core/dynamics/parallel.h"
+#include "core/base/workers.h"
 #include "core/generators/generator.h"
 #include "core/simulation/build.h"
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/dynamics/bodies.h"
-#include "core/dynamics/parallel.h"
+#include "core/base/workers.h"
 #include "core/dynamics/state.h"
 #include "core/solvers/contacts/neighbours.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/dynamics/parallel.h"
+#include "core/base/workers.h"
 #include "core/solvers/contacts/solver_body.h"
 
 #include <cstdint>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/dynamics/contact_constraint.h"
-#include "core/dynamics/parallel.h"
+#include "core/base/workers.h"
 #include "core/dynamics/work_counters.h"
 #include "core/solvers/contacts/candidates.h"
 #include "core/solvers/contacts/manifolds.h"

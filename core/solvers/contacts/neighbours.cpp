@@ -367,7 +367,7 @@ void Neighbours::searchAll(const Bodies& bodies, const State& state, Broadphase&
                 m_course[i].place = state.pose[i].position;
                 m_boxes[m_number[i]] = grown(bodies.boxAt(i, state.pose[i]), m_skin[i]);
             }
-    broadphase.update({m_boxes, bodies.bounded, m_mobile});
+    broadphase.update({m_boxes, bodies.bounded, m_mobile, m_workers});
     findWallPairs(bodies);
     m_ends = 0;
     const std::span<const BodyPair> pairs = broadphase.pairs(); // ascending, so each body's list is, too

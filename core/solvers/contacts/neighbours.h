@@ -4,7 +4,7 @@
 #include "core/broadphase/box_blocks.h"
 #include "core/broadphase/broadphase.h"
 #include "core/dynamics/bodies.h"
-#include "core/dynamics/parallel.h"
+#include "core/base/workers.h"
 #include "core/dynamics/state.h"
 #include "core/solvers/contacts/course.h"
 #include "core/solvers/contacts/meetings.h"

@@ -3,7 +3,7 @@
 
 #include "core/base/held_bytes.h"
 #include "core/base/scratch.h"
-#include "core/dynamics/parallel.h"
+#include "core/base/workers.h"
 #include "core/math/types.h"
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 
 #include "core/base/scratch.h"
 #include "core/dynamics/bodies.h"
-#include "core/dynamics/parallel.h"
+#include "core/base/workers.h"
 #include "core/dynamics/state.h"
 #include "core/math/types.h"
 #include "core/solvers/contacts/solver_body.h"

@@ -149,7 +149,7 @@ SolverReport Microcollisions::advance(const SolverInput& input) {
     if (m_report.loss) return m_report;
 
     updateBoxes(input);
-    input.broadphase.update({m_boxes, input.bodies.bounded, m_mobile});
+    input.broadphase.update({m_boxes, input.bodies.bounded, m_mobile, &input.workers});
     m_report.broadphase = m_watch.lap();
 
     m_axes.beginFrame();

@@ -80,6 +80,26 @@ class BroadphaseTest : public QObject {
         }
     }
 
+    // Memory may differ: each thread has lists of its own.
+    void threadsThatShareASearchFindAndCountTheSame() {
+        Random random(11);
+        MovingBoxes scene;
+        for (int i = 0; i < 5000; ++i)
+            scene.add(cube(uniformIn(random, 6), i % 50 == 0 ? 1.0 : 0.2), random.uniform(0, 1) < 0.9);
+        Workers workers(4);
+        BroadphaseInput shared = scene.input();
+        shared.workers = &workers;
+        for (const BroadphaseRow& row : broadphases()) {
+            const std::unique_ptr<Broadphase> one = row.create(), several = row.create();
+            one->update(scene.input());
+            several->update(shared);
+            QVERIFY(one->pairs().size() > 5000);
+            QVERIFY2(std::ranges::equal(one->pairs(), several->pairs()), row.name.data());
+            QCOMPARE(several->counters().tested, one->counters().tested);
+            QCOMPARE(several->counters().cells, one->counters().cells);
+        }
+    }
+
     void countersCountBoxesPairsComparisonsAndMemory() {
         Random random(7);
         for (const BroadphaseRow& row : broadphases()) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace carom {
@@ -45,7 +46,7 @@ class Workers {
     template<class List, class Work, class Append>
     void forLists(std::size_t count, std::size_t least, List& all, const Work& work, const Append& append) {
         if (m_threads == 1 || count < 2 * least) return work(std::size_t{0}, count, all);
-        const std::size_t parts = std::min(count / least, 4 * static_cast<std::size_t>(m_threads));
+        const std::size_t parts = partsOf(count, least);
         std::vector<List> lists(parts);
         forEach(parts, [&](std::size_t, std::size_t part) {
             work(part * count / parts, (part + 1) * count / parts, lists[part]);
@@ -57,6 +58,20 @@ class Workers {
     void forLists(std::size_t count, std::size_t least, std::vector<Item>& all, const Work& work) {
         forLists(count, least, all, work,
                  [&all](std::vector<Item>& list) { all.insert(all.end(), list.begin(), list.end()); });
+    }
+
+    /// The same where the caller keeps the lists of the parts, so that they take no memory anew: returns
+    /// those that were filled, in the order of the parts.
+    template<class List, class Work>
+    std::span<List> forKeptLists(std::size_t count, std::size_t least, std::vector<List>& kept,
+                                 const Work& work) {
+        const std::size_t parts = m_threads == 1 || count < 2 * least ? 1 : partsOf(count, least);
+        if (kept.size() < parts) kept.resize(parts);
+        forEach(parts, [&](std::size_t, std::size_t part) {
+            kept[part].clear();
+            work(part * count / parts, (part + 1) * count / parts, kept[part]);
+        });
+        return std::span(kept).first(parts);
     }
 
     /// Calls work(thread, i) for every i in [0, count) once; calls at the same time have different threads,
@@ -73,6 +88,9 @@ class Workers {
     }
 
   private:
+    std::size_t partsOf(std::size_t count, std::size_t least) const {
+        return std::min(count / least, 4 * static_cast<std::size_t>(m_threads));
+    }
     /// A reference to a function of two numbers; the caller owns it.
     struct Call {
         const void* context = nullptr;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/test_class.h"
 
-#include "core/dynamics/parallel.h"
+#include "core/base/workers.h"
 
 #include <array>
 #include <atomic>
@@ -13,7 +13,7 @@ namespace carom::test {
 
 // Elements are plain numbers: that two threads never write one, and that the caller sees what they wrote, is
 // what the thread sanitizer holds.
-class ParallelTest : public QObject {
+class WorkersTest : public QObject {
     Q_OBJECT
   private Q_SLOTS:
     void rangesCoverEveryElementOnce_data() { addCases(); }
@@ -79,6 +79,26 @@ class ParallelTest : public QObject {
         QCOMPARE(odd, expected);
     }
 
+    void listsThatAreKeptHoldWhatTheirPartsFindInOrder_data() { addCases(); }
+    void listsThatAreKeptHoldWhatTheirPartsFindInOrder() {
+        QFETCH(int, threads);
+        QFETCH(int, count);
+        Workers workers(threads);
+        std::vector<std::vector<std::size_t>> kept;
+        for (std::size_t turn = 1; turn <= 3; ++turn) {
+            const std::size_t elements = static_cast<std::size_t>(count) / turn;
+            const std::span<const std::vector<std::size_t>> lists = workers.forKeptLists(
+                elements, 10, kept, [](std::size_t begin, std::size_t end, std::vector<std::size_t>& list) {
+                    for (std::size_t i = begin; i < end; ++i) list.push_back(i);
+                });
+            std::vector<std::size_t> all, expected(elements);
+            for (const std::vector<std::size_t>& list : lists)
+                all.insert(all.end(), list.begin(), list.end());
+            std::iota(expected.begin(), expected.end(), std::size_t{0});
+            QCOMPARE(all, expected);
+        }
+    }
+
     void thereAreNeverFewerThanOneThread() {
         QCOMPARE(Workers(0).threads(), 1);
         QCOMPARE(Workers(-3).threads(), 1);
@@ -109,5 +129,5 @@ class ParallelTest : public QObject {
 
 } // namespace carom::test
 
-CAROM_TEST(parallel_test, carom::test::ParallelTest)
-#include "parallel_test.moc"
+CAROM_TEST(workers_test, carom::test::WorkersTest)
+#include "workers_test.moc"
