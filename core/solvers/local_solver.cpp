@@ -11,6 +11,10 @@
 namespace carom {
 namespace {
 
+/// Bodies that one thread copies, at least, at some 20 ns each. At half, waking a thread costs nearly what it
+/// saves; at twice, a thousand bodies have one.
+constexpr std::size_t fewCopied = 512;
+
 class LocalSolver final : public Solver {
   public:
     LocalSolver(const Bodies& bodies, std::vector<BodyIndex> order, const SolverSettings& settings,
@@ -19,9 +23,9 @@ class LocalSolver final : public Solver {
           m_solver(make(m_bodies, settings)) {}
 
     SolverReport advance(const SolverInput& input) override {
-        if (input.part == 0) enter(input.state);
+        if (input.part == 0) enter(input.state, input.workers);
         SolverReport report = m_solver->advance(input.about(m_bodies, m_state));
-        if (input.part + 1 == input.parts || report.loss) leave(input.state);
+        if (input.part + 1 == input.parts || report.loss) leave(input.state, input.workers);
         if (report.loss) report.loss.body = m_order[report.loss.body];
         return report;
     }
@@ -29,7 +33,7 @@ class LocalSolver final : public Solver {
     /// Of the world's state, not of this one's: after recall() that is of another frame, or of none.
     ContactSet contacts(const State& state) const override {
         State here = state;
-        take(state, here);
+        take(state, here, Workers::alone());
         ContactSet set = m_solver->contacts(here);
         for (ContactPair& pair : set.pairs) {
             pair.a = m_order[pair.a];
@@ -42,35 +46,45 @@ class LocalSolver final : public Solver {
     void recall(const SolverMemory& memory) override { m_solver->recall(memory); }
 
   private:
-    void enter(const State& world) {
+    void enter(const State& world, Workers& workers) {
         if (m_state.pose.size() != m_order.size()) m_state = world; // the sizes; all values follow
-        take(world, m_state);
+        take(world, m_state, workers);
     }
 
     /// Into a state of the same size.
-    void take(const State& world, State& here) const {
+    void take(const State& world, State& here, Workers& workers) const {
         here.frame = world.frame;
         here.time = world.time;
         const BodyCopy toHere(world, here);
-        for (BodyIndex k = 0; k < m_order.size(); ++k) toHere.copy(m_order[k], k);
+        workers.forRanges(m_order.size(), fewCopied,
+                          [toHere, order = m_order.data()](std::size_t begin, std::size_t end) {
+                              for (std::size_t k = begin; k < end; ++k)
+                                  toHere.copy(order[k], static_cast<BodyIndex>(k));
+                          });
         if (m_origin == Vec3::Zero()) return;
-        for (const BodyIndex k : m_bodies.bounded) {
-            const WithRest<Vec3> sum = exactSum(here.pose[k].position - m_origin, here.positionRest[k]);
-            here.pose[k].position = sum.value;
-            here.positionRest[k] = sum.rest;
-        }
+        const std::span<const BodyIndex> bounded = m_bodies.bounded;
+        workers.forRanges(bounded.size(), fewCopied, [&](std::size_t begin, std::size_t end) {
+            for (const BodyIndex k : bounded.subspan(begin, end - begin)) {
+                const WithRest<Vec3> sum = exactSum(here.pose[k].position - m_origin, here.positionRest[k]);
+                here.pose[k].position = sum.value;
+                here.positionRest[k] = sum.rest;
+            }
+        });
     }
 
-    void leave(State& world) {
+    void leave(State& world, Workers& workers) {
         const BodyCopy toWorld(m_state, world);
-        for (const BodyIndex k : m_bodies.mobileBodies) {
-            if (m_origin != Vec3::Zero()) {
-                const WithRest<Vec3> sum = exactSum(m_origin, m_state.pose[k].position);
-                m_state.pose[k].position = sum.value;
-                m_state.positionRest[k] += sum.rest;
+        const std::span<const BodyIndex> mobile = m_bodies.mobileBodies;
+        workers.forRanges(mobile.size(), fewCopied, [&](std::size_t begin, std::size_t end) {
+            for (const BodyIndex k : mobile.subspan(begin, end - begin)) {
+                if (m_origin != Vec3::Zero()) {
+                    const WithRest<Vec3> sum = exactSum(m_origin, m_state.pose[k].position);
+                    m_state.pose[k].position = sum.value;
+                    m_state.positionRest[k] += sum.rest;
+                }
+                toWorld.copy(k, m_order[k]);
             }
-            toWorld.copy(k, m_order[k]);
-        }
+        });
     }
 
     std::vector<BodyIndex> m_order; // of the world, by number here

@@ -90,13 +90,11 @@ void Candidates::join(const Bodies& bodies, const State& state, std::span<const 
 
 bool Candidates::noteReach(const Bodies& bodies, const State& state, std::span<const BodyIndex> members,
                            Neighbours& neighbours) {
-    bool covered = true;
-    for (const BodyIndex i : members) {
+    return neighbours.coversAll(members, [&](BodyIndex i) {
         notePlace(bodies, state, i);
         setReach(i, neighbours.reach(i));
-        covered = neighbours.covers(i, roomFor(bodies, i, m_body[i].reach)) && covered;
-    }
-    return covered;
+        return roomFor(bodies, i, m_body[i].reach);
+    });
 }
 
 // What pairs of this body give a larger reach; where `isOfAll`, those that no smaller one gives.

@@ -154,17 +154,13 @@ void FreeFlight::start(const SolverInput& input, Neighbours& neighbours, std::ve
     landed.clear();
     const double time = input.parts * input.substep, fall = fallIn(input, time);
     m_fall = fallIn(input, input.substep);
-    bool covered = true;
-    Start* const starts = m_start.data();
-    const Pose* const poses = input.state.pose.data();
-    const Vec3* const velocities = input.state.velocity.data();
-    for (const BodyIndex i : m_bodies) {
-        starts[i] = {poses[i].position, velocities[i]};
-        m_turn[i] = isSphere(input.bodies, i) ? 0 : turnInFrame(input, i);
-        m_due[i] = noMeeting;
-        covered =
-            neighbours.coversFlight(input.bodies, input.state, i, {roomOf(input, i), time, fall}) && covered;
-    }
+    const bool covered =
+        neighbours.coversFlights(input.bodies, input.state, m_bodies, [&](BodyIndex i) -> Neighbours::Flight {
+            m_start[i] = {input.state.pose[i].position, input.state.velocity[i]};
+            m_turn[i] = isSphere(input.bodies, i) ? 0 : turnInFrame(input, i);
+            m_due[i] = noMeeting;
+            return {roomOf(input, i), time, fall};
+        });
     if (!covered) neighbours.search(input.bodies, input.state, input.broadphase);
     input.workers.forRanges(m_bodies.size(), fewStarts, [&](std::size_t begin, std::size_t end) {
         for (const BodyIndex i : std::span(m_bodies).subspan(begin, end - begin))

@@ -4,6 +4,7 @@
 #include "core/base/reserve.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -12,9 +13,6 @@
 namespace carom {
 namespace {
 
-/// A skin has this many times the room that was asked for. At twice, lists hold more pairs; at 1, they are
-/// made anew for the least that is needed more.
-constexpr double roominess = 1.2;
 /// A skin this many times as wide as what is asked for is made anew. At 1.5, lists are a twentieth shorter;
 /// at twice, a quarter longer.
 constexpr double tooWide = 2;
@@ -30,7 +28,9 @@ constexpr std::size_t usualAround = 16;
 /// Bodies whose neighbours one thread finds at least, at about 1 us each; bodies whose skin it renews; and
 /// pairs of which it finds when they meet. At half, waking a thread costs nearly what it saves; at twice,
 /// some hundred bodies have one.
-constexpr std::size_t fewFound = 32, fewRenewed = 512, fewMeetings = 512;
+constexpr std::size_t fewFound = 8, fewRenewed = 512, fewMeetings = 512;
+/// The same of pairs, of which it tells the other body at some 20 ns each.
+constexpr std::size_t fewTold = 256;
 
 constexpr TimeSpan always{0, std::numeric_limits<double>::infinity()};
 
@@ -157,8 +157,7 @@ bool Neighbours::follow(const Bodies& bodies, const State& state, std::span<cons
     m_duration = duration;
     notePulls(bodies, state, duration);
     const double fallInFrame = 0.5 * gravity.norm() * m_frame * m_frame, times = durationsIn(m_frame);
-    bool serves = m_outrun.empty() && !m_isForgotten;
-    for (const BodyIndex i : list) {
+    serveAll(list, [&](BodyIndex i) {
         const double radius = bodies.boundingRadius[i];
         const double turns = turnIn(bodies, state, i, duration);
         m_path[i] = state.velocity[i].norm() * duration + turns + fall + m_pull[i];
@@ -166,11 +165,9 @@ bool Neighbours::follow(const Bodies& bodies, const State& state, std::span<cons
         m_moved[i] = movedFrom(bodies, state, i);
         const double leaves =
             (state.velocity[i] - m_course[i].velocityAt(m_now)).norm() * duration + turns + fall + m_pull[i];
-        if (m_moved[i] + leaves + leastMargin * radius <= m_skin[i]) continue;
-        m_outrun.push_back(i);
-        serves = false;
-    }
-    return serves;
+        return m_moved[i] + leaves + leastMargin * radius <= m_skin[i];
+    });
+    return m_outrun.empty() && !m_isForgotten;
 }
 
 void Neighbours::stay(std::span<const BodyIndex> list) {
@@ -188,12 +185,6 @@ void Neighbours::forget() {
     m_outrun.clear();
 }
 
-// The next search gives the body a skin that covers this.
-void Neighbours::widen(BodyIndex body, double room) {
-    m_room[body] = roominess * room;
-    m_outrun.push_back(body);
-}
-
 void Neighbours::noteMoved(const Bodies& bodies, const State& state, BodyIndex body) {
     m_moved[body] = movedFrom(bodies, state, body);
 }
@@ -202,7 +193,7 @@ bool Neighbours::coversAhead(BodyIndex body, double room) {
     return covers(body, room + m_duration * m_course[body].velocityAt(m_now).norm());
 }
 
-bool Neighbours::coversFlight(const Bodies& bodies, const State& state, BodyIndex body,
+bool Neighbours::servesFlight(const Bodies& bodies, const State& state, BodyIndex body,
                               const Flight& flight) {
     const auto [room, time, fall] = flight;
     const Course& course = m_course[body];
@@ -215,7 +206,6 @@ bool Neighbours::coversFlight(const Bodies& bodies, const State& state, BodyInde
     ask(body, room + fallen);
     if (m_now + time <= course.ends && m_moved[body] + leaves + room <= m_skin[body]) return true;
     m_room[body] = std::max(m_room[body], roominess * (room + fallen));
-    m_outrun.push_back(body);
     return false;
 }
 
@@ -243,6 +233,12 @@ void Neighbours::renewSkin(const Bodies& bodies, const State& state, BodyIndex b
         swept(grown(bodies.boxAt(body, state.pose[body]), m_skin[body]), horizon * state.velocity[body]);
 }
 
+void Neighbours::Finds::clear() {
+    told.clear();
+    before.clear();
+    ends = endsBefore = 0;
+}
+
 // Keeps the lists, except for pairs of bodies that have left them; these are found again.
 void Neighbours::searchForOutrun(const Bodies& bodies, const State& state) {
     if (!std::exchange(m_areBlocksBuilt, true)) m_blocks.build(m_boxes);
@@ -251,102 +247,94 @@ void Neighbours::searchForOutrun(const Bodies& bodies, const State& state) {
         if (std::exchange(m_isOutrun[i], std::uint8_t{1}) != 0) continue;
         m_anew.push_back(i);
         m_settled.wake(i);
-        renewSkin(bodies, state, i);
-        m_blocks.set(m_number[i], m_boxes[m_number[i]]);
     }
     m_outrun.clear();
-    m_before.clear();
-    for (const BodyIndex i : m_anew) {
-        for (const Neighbour& neighbour : m_around[i])
-            if (bodies.mobile[neighbour.body] != 0 && m_isOutrun[neighbour.body] == 0)
-                m_before.push_back({i, neighbour.body});
-        m_ends -= m_around[i].size();
-        m_around[i].clear();
-    }
-    m_finds.pairs.clear();
-    m_finds.meetings.clear();
-    m_workers->forLists(
-        m_anew.size(), fewFound, m_finds,
-        [&](std::size_t begin, std::size_t end, Finds& finds) {
-            findAround(bodies, std::span(m_anew).subspan(begin, end - begin), finds);
-        },
-        [&](const Finds& finds) { addFound(bodies, finds); });
-    addFound(bodies, m_finds);
-    m_workers->forRanges(m_anew.size(), fewFound, [&](std::size_t begin, std::size_t end) {
-        for (const BodyIndex i : std::span(m_anew).subspan(begin, end - begin))
-            std::ranges::sort(m_around[i], {}, &Neighbour::body);
+    m_workers->forRanges(m_anew.size(), fewRenewed, [&](std::size_t begin, std::size_t end) {
+        for (const BodyIndex i : std::span(m_anew).subspan(begin, end - begin)) renewSkin(bodies, state, i);
     });
-    dropLost();
+    for (const BodyIndex i : m_anew) m_blocks.set(m_number[i], m_boxes[m_number[i]]);
+    const std::span<const Finds> found = m_workers->forKeptLists(
+        m_anew.size(), fewFound, m_finds, [&](std::size_t begin, std::size_t end, Finds& finds) {
+            for (const BodyIndex i : std::span(m_anew).subspan(begin, end - begin))
+                findAround(bodies, i, finds);
+        });
+    tellOthers(bodies, found);
     for (const BodyIndex i : m_anew) m_isOutrun[i] = 0;
 }
 
-// Most neighbours of a body are found again: addFound() brings these up to date where they stand. The others
-// are taken out here.
-void Neighbours::dropLost() {
-    auto at = m_before.begin();
-    for (const BodyIndex i : m_anew) {
-        auto found = m_around[i].begin();
-        const auto end = m_around[i].end();
-        for (; at != m_before.end() && at->a == i; ++at) { // both ascend
-            while (found != end && found->body < at->b) ++found;
-            if (found != end && found->body == at->b) continue;
-            m_around[at->b].erase(placeIn(m_around[at->b], i));
-            --m_ends;
-        }
-    }
-}
+// What a body may meet that has moved beyond its list.
+void Neighbours::findAround(const Bodies& bodies, BodyIndex body, Finds& finds) {
+    const auto isTold = [&](BodyIndex other) { return bodies.mobile[other] != 0 && m_isOutrun[other] == 0; };
+    std::vector<Neighbour>& list = m_around[body];
+    finds.endsBefore += list.size();
+    for (const Neighbour& neighbour : list)
+        if (isTold(neighbour.body)) finds.before.push_back({body, neighbour.body});
+    list.clear();
 
-// What bodies that have moved beyond the list may meet. A pair of two such bodies is found with the smaller
-// one.
-void Neighbours::findAround(const Bodies& bodies, std::span<const BodyIndex> list, Finds& finds) const {
-    const Meetings meetings = meetingsOfSkins();
-    for (const BodyIndex i : list) {
-        const std::span<const std::uint32_t> entries =
-            m_blocks.overlapping(m_boxes[m_number[i]], finds.search);
-        finds.others.resize(entries.size());
-        finds.meetingsOfOne.resize(entries.size());
-        BodyIndex* to = finds.others.data();
-        for (const std::uint32_t entry : entries) {
-            *to = bodies.bounded[entry];
-            to += static_cast<std::size_t>(*to > i || (*to < i && m_isOutrun[*to] == 0));
-        }
-        const auto others = std::span(finds.others.data(), to);
-        meetings.findOf(i, others, finds.meetingsOfOne.data());
-        for (std::size_t n = 0; n < others.size(); ++n) {
-            if (finds.meetingsOfOne[n].isEmpty()) continue;
-            finds.pairs.push_back({std::min(i, others[n]), std::max(i, others[n])});
-            finds.meetings.push_back(finds.meetingsOfOne[n]);
-        }
+    const std::span<const std::uint32_t> entries =
+        m_blocks.overlapping(m_boxes[m_number[body]], finds.search);
+    finds.others.resize(entries.size());
+    finds.meetings.resize(entries.size());
+    BodyIndex* to = finds.others.data();
+    for (const std::uint32_t entry : entries) {
+        *to = bodies.bounded[entry];
+        to += static_cast<std::size_t>(*to != body);
+    }
+    const auto others = std::span(finds.others.data(), to);
+    meetingsOfSkins().findOf(body, others, finds.meetings.data());
+    for (std::size_t n = 0; n < others.size(); ++n) {
+        if (finds.meetings[n].isEmpty()) continue;
+        list.emplace_back(others[n], finds.meetings[n]);
+        if (isTold(others[n])) finds.told.push_back({others[n], {body, finds.meetings[n]}});
     }
     for (const BodyIndex w : bodies.walls)
-        for (const BodyIndex i : list) {
-            if (!comesNear(bodies, i, w)) continue;
-            finds.pairs.push_back({std::min(w, i), std::max(w, i)});
-            finds.meetings.push_back(always);
-        }
+        if (comesNear(bodies, body, w)) list.emplace_back(w, always);
+    std::ranges::sort(list, {}, &Neighbour::body);
+    finds.ends += list.size();
 }
 
-void Neighbours::addFound(const Bodies& bodies, const Finds& finds) {
-    for (std::size_t n = 0; n < finds.pairs.size(); ++n) {
-        const BodyPair pair = finds.pairs[n];
-        for (const auto& [i, k] : {pair, BodyPair{pair.b, pair.a}}) {
-            if (bodies.mobile[i] == 0) continue;
-            std::vector<Neighbour>& list = m_around[i];
-            const Neighbour neighbour(k, finds.meetings[n]);
-            if (m_isOutrun[i] != 0) {
-                list.push_back(neighbour);
-                ++m_ends;
-                continue;
-            }
-            const auto place = placeIn(list, k);
-            if (place != list.end() && place->body == k) {
-                *place = neighbour;
-                continue;
-            }
-            list.insert(place, neighbour);
-            ++m_ends;
-        }
+// Brings the lists of the other bodies up to date. Each thread does so for some of these. Most neighbours of
+// a body are found again, and stand where they stood.
+void Neighbours::tellOthers(const Bodies& bodies, std::span<const Finds> found) {
+    std::size_t told = 0;
+    for (const Finds& finds : found) {
+        m_ends += finds.ends - finds.endsBefore;
+        told += finds.told.size();
     }
+    const auto threads = static_cast<std::size_t>(m_workers->threads());
+    const std::size_t parts = told < threads * fewTold ? 1 : threads;
+    m_workers->forEach(parts, [&](std::size_t, std::size_t part) {
+        const auto begin = static_cast<BodyIndex>(part * bodies.count() / parts);
+        const auto end = static_cast<BodyIndex>((part + 1) * bodies.count() / parts);
+        std::size_t added = 0, removed = 0;
+        for (const Finds& finds : found) {
+            for (const Finds::Told& find : finds.told)
+                if (find.to >= begin && find.to < end) added += tell(find) ? 1 : 0;
+            for (const auto [body, other] : finds.before)
+                if (other >= begin && other < end) removed += dropLost(body, other) ? 1 : 0;
+        }
+        std::atomic_ref(m_ends) += added - removed;
+    });
+}
+
+// True if it is new to this list.
+bool Neighbours::tell(const Finds::Told& told) {
+    std::vector<Neighbour>& list = m_around[told.to];
+    const auto place = placeIn(list, told.neighbour.body);
+    const bool isNew = place == list.end() || place->body != told.neighbour.body;
+    if (isNew)
+        list.insert(place, told.neighbour);
+    else
+        *place = told.neighbour;
+    return isNew;
+}
+
+// Takes a body, which was found anew, from the list of another one that it has not met again.
+bool Neighbours::dropLost(BodyIndex body, BodyIndex other) {
+    const std::vector<Neighbour>& found = m_around[body];
+    if (std::ranges::binary_search(found, other, {}, &Neighbour::body)) return false;
+    m_around[other].erase(placeIn(m_around[other], body));
+    return true;
 }
 
 void Neighbours::searchAll(const Bodies& bodies, const State& state, Broadphase& broadphase) {

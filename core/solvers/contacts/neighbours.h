@@ -119,10 +119,14 @@ class Neighbours {
     /// Whether the list has all pairs that a body can meet within `room` [m] of its present place. If not,
     /// the body is noted, and search() must be called.
     bool covers(BodyIndex body, double room) {
-        ask(body, room);
-        if (m_moved[body] + room <= m_skin[body]) return true;
-        widen(body, room);
-        return false;
+        const bool isCovered = serves(body, room);
+        if (!isCovered) m_outrun.push_back(body);
+        return isCovered;
+    }
+    /// The same for roomOf(body) [m] of each of these bodies, of which none is named twice.
+    template<class RoomOf>
+    bool coversAll(std::span<const BodyIndex> list, const RoomOf& roomOf) {
+        return serveAll(list, [&](BodyIndex i) { return serves(i, roomOf(i)); });
     }
 
     /// The same for what it can meet while the others follow their courses for the last given duration.
@@ -135,8 +139,12 @@ class Neighbours {
     struct Flight {
         double room = 0, time = 0, fall = 0;
     };
-    /// The same for a body that was not followed, because nothing strikes it, in all of its flight.
-    bool coversFlight(const Bodies& bodies, const State& state, BodyIndex body, const Flight& flight);
+    /// The same for bodies that were not followed, because nothing strikes them, in all of their flights.
+    template<class FlightOf>
+    bool coversFlights(const Bodies& bodies, const State& state, std::span<const BodyIndex> list,
+                       const FlightOf& flightOf) {
+        return serveAll(list, [&](BodyIndex i) { return servesFlight(bodies, state, i, flightOf(i)); });
+    }
 
     /// Bodies may be anywhere now, also those that are not followed: the next update() searches for all.
     void forget();
@@ -222,13 +230,39 @@ class Neighbours {
     static constexpr int framesOfCourse = 4;
 
   private:
+    /// A skin has this many times the room that was asked for. At twice, lists hold more pairs; at 1, they
+    /// are made anew for the least that is needed more.
+    static constexpr double roominess = 1.2;
+    /// Bodies that one thread looks at, at least, at some 50 ns each. At half, waking a thread costs nearly
+    /// what it saves; at twice, some hundred bodies have one.
+    static constexpr std::size_t fewServed = 512;
+
     Meetings meetingsOfSkins() const { return {m_course.data(), m_extent.data(), m_now}; }
     bool comesNear(const Bodies& bodies, BodyIndex body, BodyIndex wall) const;
     void ask(BodyIndex body, double room) {
         m_asked[body] = std::max(m_asked[body], room);
         m_askedLately[body] = std::max(m_askedLately[body], room);
     }
-    void widen(BodyIndex body, double room);
+    /// What covers() does, but for noting the body.
+    bool serves(BodyIndex body, double room) {
+        ask(body, room);
+        if (m_moved[body] + room <= m_skin[body]) return true;
+        m_room[body] = roominess * room; // so much has its skin after the next search
+        return false;
+    }
+    bool servesFlight(const Bodies& bodies, const State& state, BodyIndex body, const Flight& flight);
+    /// Notes the bodies for which isServed(body) is false; true if there are none. It may change what is kept
+    /// of this body only.
+    template<class IsServed>
+    bool serveAll(std::span<const BodyIndex> list, const IsServed& isServed) {
+        const std::size_t before = m_outrun.size();
+        m_workers->forLists(list.size(), fewServed, m_outrun,
+                            [&](std::size_t begin, std::size_t end, std::vector<BodyIndex>& outrun) {
+                                for (const BodyIndex i : list.subspan(begin, end - begin))
+                                    if (!isServed(i)) outrun.push_back(i);
+                            });
+        return m_outrun.size() == before;
+    }
     void narrow(const Bodies& bodies, std::span<const BodyIndex> list);
     void renewSkin(const Bodies& bodies, const State& state, BodyIndex body);
     /// Of the last given one, at least 1.
@@ -247,17 +281,25 @@ class Neighbours {
     bool areFewOutrun(const Bodies& bodies) const;
     void searchAll(const Bodies& bodies, const State& state, Broadphase& broadphase);
     void searchForOutrun(const Bodies& bodies, const State& state);
-    /// What searches for single bodies find: pairs that may meet, and when.
+    /// What searches for single bodies find: how the lists of others change.
     struct Finds {
-        std::vector<BodyPair> pairs;
-        std::vector<TimeSpan> meetings; // by pair
+        struct Told {
+            BodyIndex to = 0;
+            Neighbour neighbour;
+        };
+        std::vector<Told> told;
+        std::vector<BodyPair> before;         // single bodies with those that were in their lists
+        std::size_t ends = 0, endsBefore = 0; // of the lists of single bodies
         BoxBlocks::Search search;
-        std::vector<BodyIndex> others; // of a search: whose boxes overlap
-        std::vector<TimeSpan> meetingsOfOne;
+        std::vector<BodyIndex> others;  // of a search: whose boxes overlap
+        std::vector<TimeSpan> meetings; // and when
+
+        void clear();
     };
-    void findAround(const Bodies& bodies, std::span<const BodyIndex> list, Finds& finds) const;
-    void addFound(const Bodies& bodies, const Finds& finds);
-    void dropLost();
+    void findAround(const Bodies& bodies, BodyIndex body, Finds& finds);
+    void tellOthers(const Bodies& bodies, std::span<const Finds> found);
+    bool tell(const Finds::Told& told);
+    bool dropLost(BodyIndex body, BodyIndex other);
     void notePulls(const Bodies& bodies, const State& state, double duration);
     void findWallPairs(const Bodies& bodies);
     void addPair(const Bodies& bodies, BodyPair pair, const TimeSpan& meeting);
@@ -286,8 +328,7 @@ class Neighbours {
     std::vector<BodyIndex> m_outrun;      // since the last search; some may be named twice
     std::vector<BodyIndex> m_anew;        // of a search for single bodies: these
     std::vector<std::uint8_t> m_isOutrun; // by body: one of these
-    std::vector<BodyPair> m_before;       // their neighbours before it that are not among them
-    Finds m_finds;
+    std::vector<Finds> m_finds;
     std::vector<TimeSpan> m_meetings;       // by pair of a search for all
     Workers* m_workers = &Workers::alone(); // of searches
     BoxBlocks m_blocks;                     // of m_boxes, for searches for single bodies

@@ -6,6 +6,7 @@
 #include "core/math/random.h"
 #include "core/solvers/contacts/neighbours.h"
 
+#include <array>
 #include <QTest>
 
 #include <algorithm>
@@ -251,10 +252,13 @@ class NeighboursTest : public QObject {
                               {stepTime, frame}, *broadphase);
             neighbours.pass(stepTime);
         }
-        const Neighbours::Flight flight{.room = 0.01, .time = frame, .fall = fall};
-        if (!neighbours.coversFlight(bodies, state, 20, flight))
+        const auto flightOf = [](BodyIndex) {
+            return Neighbours::Flight{.room = 0.01, .time = frame, .fall = fall};
+        };
+        const std::array<BodyIndex, 1> twentieth{20};
+        if (!neighbours.coversFlights(bodies, state, twentieth, flightOf))
             neighbours.search(bodies, state, *broadphase);
-        QVERIFY(neighbours.coversFlight(bodies, state, 20, flight));
+        QVERIFY(neighbours.coversFlights(bodies, state, twentieth, flightOf));
         QVERIFY(neighbours.listed(20).size() <= 2); // (1 + 4)² falls: .2 m
     }
 
