@@ -34,46 +34,57 @@ CAROM_INLINE Wide halfProduct(const Motion& one, const Motion& other) {
 
 using Four = std::array<std::uint32_t, wideLanes>;
 
-/// ½ v · M v' of `count` bodies, with the velocities v of `one` and v' of `other`.
+using List = std::span<const std::uint32_t>;
+
+/// Four bodies of a list from place `i` on, of which the last stands for those that there are not.
+CAROM_INLINE Four fourOf(List list, std::size_t i) {
+    if (i + wideLanes <= list.size()) return {list[i], list[i + 1], list[i + 2], list[i + 3]};
+    Four four;
+    for (std::size_t lane = 0; lane < wideLanes; ++lane)
+        four[lane] = list[std::min(i + lane, list.size() - 1)];
+    return four;
+}
+
+CAROM_INLINE void put(const Wide& four, std::size_t count, double* to) {
+    if (count >= wideLanes) {
+        __builtin_memcpy(to, &four, sizeof(Wide));
+        return;
+    }
+    for (std::size_t lane = 0; lane < count; ++lane) to[lane] = four[static_cast<int>(lane)];
+}
+
+/// ½ v · M v' of a list of bodies, with the velocities v of `one` and v' of `other`.
 template<class One, class Other>
-CAROM_INLINE void halfProducts(const SolverBody* bodies, const One* one, const Other* other,
-                               std::size_t count, double* to) {
-    for (std::size_t i = 0; i < count; i += wideLanes) {
-        Four four;
-        for (std::size_t lane = 0; lane < wideLanes; ++lane)
-            four[lane] = static_cast<std::uint32_t>(std::min(i + lane, count - 1));
+CAROM_INLINE void halfProducts(const SolverBody* bodies, const One* one, const Other* other, List list,
+                               double* to) {
+    for (std::size_t i = 0; i < list.size(); i += wideLanes) {
+        const Four four = fourOf(list, i);
         Motion a;
         gather(bodies, four, a);
         Motion b = a;
         gatherVelocity(one, four, a);
         gatherVelocity(other, four, b);
-        const Wide product = halfProduct(a, b);
-        for (std::size_t lane = 0; lane < wideLanes && i + lane < count; ++lane)
-            to[i + lane] = product[static_cast<int>(lane)];
+        put(halfProduct(a, b), list.size() - i, to + i);
     }
 }
 
-CAROM_WIDE void productsNow(const SolverBody* bodies, std::size_t count, double* to) {
-    halfProducts(bodies, bodies, bodies, count, to);
+CAROM_WIDE void productsNow(const SolverBody* bodies, List list, double* to) {
+    halfProducts(bodies, bodies, bodies, list, to);
 }
 
-CAROM_WIDE void productsBefore(const SolverBody* bodies, const BodyVelocity* before, std::size_t count,
-                               double* to) {
-    halfProducts(bodies, before, before, count, to);
+CAROM_WIDE void productsBefore(const SolverBody* bodies, const BodyVelocity* before, List list, double* to) {
+    halfProducts(bodies, before, before, list, to);
 }
 
-CAROM_WIDE void productsBetween(const SolverBody* bodies, const BodyVelocity* before, std::size_t count,
-                                double* to) {
-    halfProducts(bodies, before, bodies, count, to);
+CAROM_WIDE void productsBetween(const SolverBody* bodies, const BodyVelocity* before, List list, double* to) {
+    halfProducts(bodies, before, bodies, list, to);
 }
 
-CAROM_WIDE void gains(const SolverBody* bodies, const BodyVelocity* before,
-                      std::span<const std::uint32_t> list, double resting, double* to) {
+CAROM_WIDE void gains(const SolverBody* bodies, const BodyVelocity* before, List list, double resting,
+                      double* to) {
     const Wide zero{}, three = wideOf(3);
     for (std::size_t i = 0; i < list.size(); i += wideLanes) {
-        Four four;
-        for (std::size_t lane = 0; lane < wideLanes; ++lane)
-            four[lane] = list[std::min(i + lane, list.size() - 1)];
+        const Four four = fourOf(list, i);
         Motion then, now;
         gatherVelocity(before, four, then);
         gather(bodies, four, now);
@@ -82,16 +93,16 @@ CAROM_WIDE void gains(const SolverBody* bodies, const BodyVelocity* before,
         const Wide inverse = now.xx + now.yy + now.zz;
         const Wide gain = (moving - wideOf(resting)) / now.inverseMass +
                           (inverse > zero ? three / inverse * turning : zero);
-        for (std::size_t lane = 0; lane < wideLanes && i + lane < list.size(); ++lane)
-            to[i + lane] = gain[static_cast<int>(lane)];
+        put(gain, list.size() - i, to + i);
     }
 }
 
 } // namespace
 
 double kineticEnergyOf(const SolverBody& body) {
+    constexpr std::array<std::uint32_t, 1> first{0};
     double energy = 0;
-    productsNow(&body, 1, &energy);
+    productsNow(&body, first, &energy);
     return energy;
 }
 
@@ -108,52 +119,51 @@ void findGains(std::span<const SolverBody> bodies, std::span<const BodyVelocity>
 }
 
 void EnergyLimit::addUp(Times times, std::span<const SolverBody> bodies, std::span<const BodyVelocity> before,
-                        std::span<const std::uint32_t> islandOf, Workers& workers, double Sums::*to) {
-    m_products.resize(bodies.size());
-    workers.forRanges(bodies.size(), fewProducts, [&](std::size_t begin, std::size_t end) {
-        const SolverBody* const first = bodies.data() + begin;
+                        const Members& of, Workers& workers, double Sums::*to) {
+    m_products.resize(of.list.size());
+    workers.forRanges(of.list.size(), fewProducts, [&](std::size_t begin, std::size_t end) {
+        const List list = of.list.subspan(begin, end - begin);
         double* const products = m_products.data() + begin;
         switch (times) {
         case Times::Now:
-            return productsNow(first, end - begin, products);
+            return productsNow(bodies.data(), list, products);
         case Times::Before:
-            return productsBefore(first, before.data() + begin, end - begin, products);
+            return productsBefore(bodies.data(), before.data(), list, products);
         case Times::Between:
-            return productsBetween(first, before.data() + begin, end - begin, products);
+            return productsBetween(bodies.data(), before.data(), list, products);
         }
     });
-    for (std::size_t i = 0; i < bodies.size(); ++i)
-        if (bodies[i].inverseMass > 0) m_sums[islandOf[i]].*to += m_products[i];
+    for (std::size_t k = 0; k < of.list.size(); ++k) m_sums[of.islandOf[of.list[k]]].*to += m_products[k];
 }
 
-void EnergyLimit::remember(std::span<const SolverBody> bodies, std::span<const std::uint32_t> islandOf,
-                           std::size_t islands, Workers& workers) {
+void EnergyLimit::remember(std::span<const SolverBody> bodies, const Members& of, std::size_t islands,
+                           Workers& workers) {
     m_sums.assign(islands, {});
-    addUp(Times::Now, bodies, {}, islandOf, workers, &Sums::limit);
+    addUp(Times::Now, bodies, {}, of, workers, &Sums::limit);
 }
 
 void EnergyLimit::remember(std::span<const SolverBody> bodies, std::span<const BodyVelocity> before,
-                           std::span<const std::uint32_t> islandOf, std::size_t islands, Workers& workers) {
+                           const Members& of, std::size_t islands, Workers& workers) {
     m_sums.assign(islands, {});
-    addUp(Times::Before, bodies, before, islandOf, workers, &Sums::limit);
+    addUp(Times::Before, bodies, before, of, workers, &Sums::limit);
 }
 
-bool EnergyLimit::keep(std::span<const BodyVelocity> before, std::span<const std::uint32_t> islandOf,
-                       std::span<SolverBody> bodies, Workers& workers) {
+bool EnergyLimit::keep(std::span<const BodyVelocity> before, const Members& of, std::span<SolverBody> bodies,
+                       Workers& workers) {
     for (Sums& sums : m_sums) sums = {.limit = sums.limit};
-    addUp(Times::Now, bodies, before, islandOf, workers, &Sums::after);
+    addUp(Times::Now, bodies, before, of, workers, &Sums::after);
     const auto isBeyond = [](const Sums& sums) { return sums.after > sums.limit; };
     if (std::none_of(m_sums.begin(), m_sums.end(), isBeyond)) return false;
-    addUp(Times::Before, bodies, before, islandOf, workers, &Sums::before);
-    addUp(Times::Between, bodies, before, islandOf, workers, &Sums::between);
+    addUp(Times::Before, bodies, before, of, workers, &Sums::before);
+    addUp(Times::Between, bodies, before, of, workers, &Sums::between);
     for (Sums& sums : m_sums) {
         if (!isBeyond(sums)) continue; // T(s) = T(0) + b s + c s²
         const double b = 2 * (sums.between - sums.before), c = sums.after - sums.before - b;
         const double root = std::sqrt(std::max(0.0, b * b - 4 * c * (sums.before - sums.limit)));
         sums.part = c > 0 ? std::clamp((root - b) / (2 * c), 0.0, 1.0) : 0.0;
     }
-    for (std::size_t i = 0; i < bodies.size(); ++i) {
-        const double part = bodies[i].inverseMass > 0 ? m_sums[islandOf[i]].part : 1;
+    for (const std::uint32_t i : of.list) {
+        const double part = m_sums[of.islandOf[i]].part;
         if (part == 1) continue;
         for (std::size_t k = 0; k < 3; ++k) {
             bodies[i].velocity[k] = std::lerp(before[i].velocity[k], bodies[i].velocity[k], part);

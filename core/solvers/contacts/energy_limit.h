@@ -30,19 +30,22 @@ void findGains(std::span<const SolverBody> bodies, std::span<const BodyVelocity>
 
 class EnergyLimit {
   public:
-    /// The limit of an island is the kinetic energy its bodies have now. `islandOf` is by body.
-    void remember(std::span<const SolverBody> bodies, std::span<const std::uint32_t> islandOf,
-                  std::size_t islands, Workers& workers = Workers::alone());
-    /// The same with the velocities they had `before`.
-    void remember(std::span<const SolverBody> bodies, std::span<const BodyVelocity> before,
-                  std::span<const std::uint32_t> islandOf, std::size_t islands,
+    /// Those that can move, and the island of every body.
+    struct Members {
+        std::span<const std::uint32_t> list, islandOf;
+    };
+    /// The limit of an island is the kinetic energy its bodies have now.
+    void remember(std::span<const SolverBody> bodies, const Members& of, std::size_t islands,
                   Workers& workers = Workers::alone());
+    /// The same with the velocities they had `before`.
+    void remember(std::span<const SolverBody> bodies, std::span<const BodyVelocity> before, const Members& of,
+                  std::size_t islands, Workers& workers = Workers::alone());
     /// Raises the limit of an island by what springs do to it [J].
     void allow(std::uint32_t island, double work) { m_sums[island].limit += work; }
     /// Takes bodies back towards `before`, by as little as keeps every island within its limit. True if any
     /// had to go back.
-    bool keep(std::span<const BodyVelocity> before, std::span<const std::uint32_t> islandOf,
-              std::span<SolverBody> bodies, Workers& workers = Workers::alone());
+    bool keep(std::span<const BodyVelocity> before, const Members& of, std::span<SolverBody> bodies,
+              Workers& workers = Workers::alone());
     /// How much of its change of velocity the last call left an island: s.
     double partOf(std::uint32_t island) const { return m_sums[island].part; }
 
@@ -53,12 +56,12 @@ class EnergyLimit {
     };
     /// The velocities of a product: now in both places, before in both, or one in each.
     enum class Times { Now, Before, Between };
-    /// Adds ½ v · M v' of every body that can move to its island's sum.
+    /// Adds ½ v · M v' of every member to its island's sum.
     void addUp(Times times, std::span<const SolverBody> bodies, std::span<const BodyVelocity> before,
-               std::span<const std::uint32_t> islandOf, Workers& workers, double Sums::*to);
+               const Members& of, Workers& workers, double Sums::*to);
 
     std::vector<Sums> m_sums;       // by island
-    std::vector<double> m_products; // by body
+    std::vector<double> m_products; // by place in the list
 };
 
 } // namespace carom

@@ -310,7 +310,7 @@ void SteppedMotion::step(const SteppedInput& input, double duration, Manifolds& 
     if (!m_links.empty()) rememberSprings(input);
     if (bounces) {
         findParts();
-        m_energy.remember(m_bodies, partOf(), parts(), input.workers);
+        m_energy.remember(m_bodies, movingParts(), parts(), input.workers);
     }
     m_balls.warmStart(m_bodies, input.workers);
     warmStart(m_rows, m_bodies, input.workers);
@@ -358,7 +358,7 @@ void SteppedMotion::limitEnergy(const StepSettings& settings, Workers& workers, 
     findParts();
     if (!mayGainEnergy(settings)) return;
     const std::span<const std::uint32_t> part = partOf();
-    m_stepEnergy.remember(m_bodies, m_free, part, parts(), workers);
+    m_stepEnergy.remember(m_bodies, m_free, movingParts(), parts(), workers);
     for (const std::uint32_t i : m_moving.awake)
         m_stepEnergy.allow(part[i], 0.5 * settings.resting * settings.resting / m_bodies[i].inverseMass);
     for (const SpringRow& spring : m_springs) // m_springLimit is theirs
@@ -367,7 +367,7 @@ void SteppedMotion::limitEnergy(const StepSettings& settings, Workers& workers, 
         findCorrection(settings);
         for (std::size_t i = 1; i < m_corrected.size(); ++i) m_stepEnergy.allow(part[i], m_corrected[i]);
     }
-    if (!m_stepEnergy.keep(m_free, part, m_bodies, workers)) return;
+    if (!m_stepEnergy.keep(m_free, movingParts(), m_bodies, workers)) return;
     const auto partLeft = [&](std::uint32_t a, std::uint32_t b) {
         return m_stepEnergy.partOf(part[a == immobile || m_still.is(a) ? b : a]);
     };
@@ -425,7 +425,7 @@ void SteppedMotion::rebound(const StepSettings& settings, Workers& workers, Step
         wideLanes * (static_cast<std::size_t>(passes) * m_balls.activeGroups() +
                      static_cast<std::size_t>(m_division.passes) * m_rows.points().size());
     carom::rebound(m_rows, m_bodies, settings, m_division.passes, active, workers);
-    m_energy.keep(m_before, partOf(), m_bodies, workers);
+    m_energy.keep(m_before, movingParts(), m_bodies, workers);
 }
 
 SpringIslands SteppedMotion::springIslands(const SteppedInput& input) const {

@@ -477,6 +477,7 @@ class SteppedMotion {
     std::span<const std::uint32_t> partOf() const {
         return m_still.any() ? std::span<const std::uint32_t>(m_part) : m_island;
     }
+    EnergyLimit::Members movingParts() const { return {m_moving.awake, partOf()}; }
     std::size_t parts() const { return m_still.any() ? m_bodies.size() : m_groups.size(); }
     void setMass(const SteppedInput& input, std::uint32_t number);
     void holdStill(const SteppedInput& input, const Manifolds& manifolds);
