@@ -90,20 +90,22 @@ void SteppedMotion::begin(const Bodies& bodies, const Division& division, double
     m_entries.clear();
     m_isFlipped.clear();
     m_open.clear();
+    m_heldDepth.clear();
     m_laws.clear();
     m_general.clear();
     m_ascending = 0;
     m_isUnordered = m_isOrderedSoon = false;
     m_balls.clear();
     m_forced.clear();
-    m_moving.isKnown = false;
+    forgetPairs();
     m_plan.forget();
     m_rows.begin(m_bodies.size(), immobile);
 }
 
 void SteppedMotion::addIsland(const SteppedInput& input, std::span<const BodyIndex> list,
                               std::span<const std::uint32_t> springs) {
-    m_isAfterKnown = m_moving.isKnown = m_weight.isKnown = false;
+    m_isAfterKnown = m_weight.isKnown = false;
+    forgetPairs();
     m_plan.forget();
     const std::uint32_t island = static_cast<std::uint32_t>(m_groups.size());
     m_groups.push_back({.joined = island, .bodies = list.size()});
@@ -150,9 +152,10 @@ void SteppedMotion::addPair(const SteppedInput& input, const Entry& entry, Manif
     }
     if (m_ascending == m_general.size() && (m_general.empty() || m_entries[m_general.back()] < entry))
         ++m_ascending;
-    m_moving.isKnown = false;
+    forgetPairs();
     m_general.push_back(index);
     m_open.emplace_back();
+    m_heldDepth.push_back(-1);
     if (entry.place == Manifolds::none) m_entries.back().place = manifolds.add(entry.pair);
 }
 
@@ -558,8 +561,8 @@ bool SteppedMotion::isUnchanged(const State& state) const {
 
 std::size_t SteppedMotion::bytes() const {
     return heldBytes(m_list, m_local, m_bodies, m_moved, m_places, m_turnable, m_island, m_slab, m_free,
-                     m_struck, m_links, m_entries, m_isFlipped, m_general, m_open, m_balls, m_groups,
-                     m_still) +
+                     m_struck, m_links, m_entries, m_isFlipped, m_general, m_open, m_heldDepth, m_balls,
+                     m_groups, m_still) +
            m_turning.bytes();
 }
 

@@ -11,6 +11,7 @@
 #include "core/solvers/contacts/contact_rows.h"
 #include "core/solvers/contacts/energy_limit.h"
 #include "core/solvers/contacts/manifolds.h"
+#include "core/solvers/contacts/pair_ends.h"
 #include "core/solvers/contacts/pair_sort.h"
 #include "core/solvers/contacts/sections.h"
 #include "core/solvers/contacts/spring_limit.h"
@@ -159,7 +160,7 @@ class SteppedMotion {
             noteUnordered(entry.pair);
         }
         if (!isAny) return;
-        m_moving.isKnown = false;
+        forgetPairs();
         renumberEntries(numbers.entries);
         m_balls.renumber(numbers.entries, immobile);
     }
@@ -255,9 +256,7 @@ class SteppedMotion {
         Watched watched;  ///< its gap is 0 if the pair must be updated [m]
         double slack = 0; ///< within it they may touch however slow they are [m]
         bool hasPoints = false;
-        bool lacksRows =
-            false; ///< it can meet: the gap is that of its points without rows; 0 if all have some
-        double heldDepth = -1; ///< overlap of two that stand still in contact; below 0 if they do not [m]
+        bool lacksRows = false; ///< it can meet; the gap is that of points without rows, 0 if there are none
     };
     /// The law of the contact of a pair, once it has had one.
     struct PairLaws {
@@ -366,6 +365,8 @@ class SteppedMotion {
     std::uint32_t numberOf(BodyPair pair) const {
         return m_local[pair.a] != 0 ? m_local[pair.a] : m_local[pair.b];
     }
+    void forgetPairs();
+    const PairEnds& ends();
     const RowCount& rowCountOf(std::uint32_t entry) const {
         return m_rowCounts[m_island[numberOf(m_entries[entry].pair)]];
     }
@@ -412,6 +413,8 @@ class SteppedMotion {
                      Workers& workers, SteppedReport& report);
     Seen see(const ManifoldInput& here, std::uint32_t number, double fall, Manifolds& manifolds,
              std::size_t& collided);
+    Seen seeAnew(const ManifoldInput& here, std::uint32_t number, double fall, Manifolds& manifolds,
+                 std::size_t& collided);
     void rememberBefore(const SteppedInput& input);
     void recordMotion(const SteppedInput& input, double duration);
     void findMoving();
@@ -519,6 +522,8 @@ class SteppedMotion {
     bool m_areStillNoted = true;    // by all pairs
     std::size_t m_heldContacts = 0; // between bodies that stand still, or cannot move; balls apart
     double m_heldDeepest = 0;       // overlap of these [m]
+    Derived<PairEnds> m_ends;       // of the pairs in m_general
+    Scratch<PairSet> m_loadPairs;   // of these: their loads are added up
     Derived<Moving> m_moving;
     Scratch<std::vector<std::uint32_t>> m_candidates; // numbers
     Scratch<std::vector<std::uint8_t>> m_isPaired;    // by number: in a pair of which one moves
@@ -550,7 +555,8 @@ class SteppedMotion {
     std::size_t m_ascending = 0;           // so many of the first are in order
     bool m_isUnordered = false;            // pairs of some island came or went
     bool m_isOrderedSoon = false;
-    std::vector<OpenPair> m_open;          // by number in m_general
+    std::vector<OpenPair> m_open;    // by number in m_general
+    std::vector<double> m_heldDepth; // the same: overlap of two that stand still in contact; else below 0 [m]
     Scratch<std::vector<PairLaws>> m_laws; // by entry
     BallRows m_balls;
     // Of a look or a step.

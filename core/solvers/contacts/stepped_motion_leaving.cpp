@@ -79,6 +79,7 @@ void SteppedMotion::keepUnmarked(const Bodies& bodies, NewNumbers& numbers) {
             numbers.entries[i] = gone;
     renumberEntries(numbers.entries);
     m_open.assign(m_general.size(), {}); // numbers change: they are looked at anew
+    m_heldDepth.assign(m_general.size(), -1);
     std::erase_if(m_links, [&](std::uint32_t link) {
         const SpringForce& spring = bodies.springs[link];
         return !stays(isHere(spring.from) ? spring.from : spring.to);
@@ -97,7 +98,8 @@ void SteppedMotion::keepUnmarked(const Bodies& bodies, NewNumbers& numbers) {
     m_isMarked = false;
 
     kept = 1;
-    m_isAfterKnown = m_moving.isKnown = m_weight.isKnown = false;
+    m_isAfterKnown = m_weight.isKnown = false;
+    forgetPairs();
     m_plan.forget();
     m_rows.begin(m_bodies.size(), immobile);
     numbers.bodies.assign(m_bodies.size(), gone);

@@ -40,18 +40,36 @@ void SteppedMotion::look(const SteppedInput& input, double duration, Manifolds& 
         std::max({report.maxPenetration, m_deepest, m_heldDeepest, m_balls.heldDeepest()});
 }
 
+// Pairs or bodies come or go, or get other numbers.
+void SteppedMotion::forgetPairs() {
+    m_ends.forget();
+    m_moving.isKnown = false;
+}
+
+const PairEnds& SteppedMotion::ends() {
+    if (!m_ends.isKnown())
+        m_ends.make(m_general.size(), m_bodies.size(),
+                    [this](std::size_t number) { return numbersOf(m_entries[m_general[number]].pair); });
+    return m_ends;
+}
+
 // Lists the bodies that do not stand still, the pairs with such a body that are not of two balls, and the
 // bodies of these pairs.
 void SteppedMotion::findMoving() {
     if (std::exchange(m_moving.isKnown, true)) return;
-    m_moving.pairs.clear();
+    const std::span<const std::uint8_t> isStill = m_still.flags();
     m_isPaired.assign(m_bodies.size(), 0);
-    for (std::uint32_t number = 0; number < m_general.size(); ++number) {
-        const auto [a, b] = numbersOf(m_entries[m_general[number]].pair);
-        if (m_still.is(a) && m_still.is(b)) continue;
-        m_moving.pairs.push_back(number);
-        m_isPaired[a] = m_isPaired[b] = 1;
+    m_moving.pairs.resize(m_general.size());
+    std::uint8_t* const isPaired = m_isPaired.data();
+    std::uint32_t* const list = m_moving.pairs.data();
+    std::size_t pairs = 0;
+    for (std::uint32_t number = 0; const auto& [a, b] : ends().all()) {
+        const bool moves = (isStill[a] & isStill[b]) == 0;
+        list[pairs] = number++;
+        pairs += moves ? 1 : 0;
+        if (moves) isPaired[a] = isPaired[b] = 1;
     }
+    m_moving.pairs.resize(pairs);
     m_moving.awake.clear();
     m_moving.bodies.clear();
     m_moving.paired.clear();
@@ -113,20 +131,6 @@ void SteppedMotion::findContacts(const SteppedInput& input, double duration,
     m_deepest = std::max(m_deepest, m_rows.end(m_bodies, m_frames, m_step, input.workers));
 }
 
-// Updates the manifolds of pairs that may meet before the next look. Each is written by one thread.
-void SteppedMotion::updatePairs(const ManifoldInput& here, std::span<const std::uint32_t> pairs,
-                                Manifolds& manifolds, Workers& workers, SteppedReport& report) {
-    const double fall = here.gravity.norm() * here.duration * here.duration;
-    std::atomic<std::size_t> collided = 0;
-    m_seen.resize(pairs.size());
-    workers.forRanges(pairs.size(), fewManifolds, [&](std::size_t begin, std::size_t end) {
-        std::size_t count = 0;
-        for (std::size_t i = begin; i < end; ++i) m_seen[i] = see(here, pairs[i], fall, manifolds, count);
-        collided += count;
-    });
-    report.work.pairsCollided += collided;
-}
-
 // How much two bodies may come nearer to each other along a normal from A to B before the next look [m].
 CAROM_INLINE double SteppedMotion::comesAlong(const Vec3& normal, std::uint32_t numberA,
                                               std::uint32_t numberB) const {
@@ -142,49 +146,67 @@ CAROM_INLINE bool SteppedMotion::staysOpen(OpenPair& pair, double fall) const {
     return gap > pair.slack + fall + comesAlong(pair.watched.normal, pair.watched.a, pair.watched.b);
 }
 
-SteppedMotion::Seen SteppedMotion::see(const ManifoldInput& here, std::uint32_t number, double fall,
-                                       Manifolds& manifolds, std::size_t& collided) {
-    Entry& entry = m_entries[m_general[number]];
+CAROM_INLINE SteppedMotion::Seen SteppedMotion::see(const ManifoldInput& here, std::uint32_t number,
+                                                    double fall, Manifolds& manifolds,
+                                                    std::size_t& collided) {
+    const Entry& entry = m_entries[m_general[number]];
     OpenPair& open = m_open[number];
-    Seen seen{.number = number, .hasPoints = true};
     if (Rows& rows = m_rowState[m_general[number]]; rows == Rows::Kept) {
-        if (!(open.watched.gap > 0) || staysOpen(open, fall)) return seen;
+        if (!(open.watched.gap > 0) || staysOpen(open, fall)) return {.number = number, .hasPoints = true};
         rows = Rows::Old;
     }
-    const bool isFresh = std::exchange(entry.isFresh, false);
-    if (isFresh || open.lacksRows || !staysOpen(open, fall)) {
-        PersistentManifold& manifold = manifolds[entry.place];
-        if (isFresh)
-            openIfApart(here, manifold);
-        else
-            collided += updateManifold(here, entry.margin, manifold) ? 1 : 0;
-        open.watched.gap = 0;
-        open.lacksRows = false;
-        if (!manifold.open) {
-            const auto [a, b] = numbersOf(manifold.pair);
-            const Vec3 normal = normalOf(here, manifold);
-            const double slack = slackPart * smallerSize(here.bodies, manifold.pair);
-            const NearPoints near =
-                nearPoints(here, manifold, normal, slack + fall + comesAlong(normal, a, b));
-            if (std::isfinite(near.next)) {
-                open = openPairOf(here, number, manifolds, normal);
-                open.watched.gap = near.next;
-                open.lacksRows = true;
-            }
-            open.hasPoints = manifold.count > 0;
-            return {.number = number,
-                    .a = a,
-                    .b = b,
-                    .near = static_cast<std::uint8_t>(near.bits),
-                    .isRound = manifold.round,
-                    .hasPoints = open.hasPoints,
-                    .isTouching = open.hasPoints};
-        }
-        open = openPairOf(here, number, manifolds, normalOf(here, manifold));
+    if (entry.isFresh || open.lacksRows || !staysOpen(open, fall))
+        return seeAnew(here, number, fall, manifolds, collided);
+    return {.number = number, .hasPoints = open.hasPoints, .isWatched = open.watched.gap <= entry.margin};
+}
+
+// Updates the manifold of a pair that may meet.
+SteppedMotion::Seen SteppedMotion::seeAnew(const ManifoldInput& here, std::uint32_t number, double fall,
+                                           Manifolds& manifolds, std::size_t& collided) {
+    Entry& entry = m_entries[m_general[number]];
+    OpenPair& open = m_open[number];
+    PersistentManifold& manifold = manifolds[entry.place];
+    if (std::exchange(entry.isFresh, false))
+        openIfApart(here, manifold);
+    else
+        collided += updateManifold(here, entry.margin, manifold) ? 1 : 0;
+    open.watched.gap = 0;
+    open.lacksRows = false;
+    const Vec3 normal = normalOf(here, manifold);
+    if (manifold.open) {
+        open = openPairOf(here, number, manifolds, normal);
+        return {.number = number, .hasPoints = open.hasPoints, .isWatched = open.watched.gap <= entry.margin};
     }
-    seen.hasPoints = open.hasPoints;
-    seen.isWatched = open.watched.gap <= entry.margin;
-    return seen;
+    const auto [a, b] = numbersOf(manifold.pair);
+    const double slack = slackPart * smallerSize(here.bodies, manifold.pair);
+    const NearPoints near = nearPoints(here, manifold, normal, slack + fall + comesAlong(normal, a, b));
+    if (std::isfinite(near.next)) {
+        open = openPairOf(here, number, manifolds, normal);
+        open.watched.gap = near.next;
+        open.lacksRows = true;
+    }
+    open.hasPoints = manifold.count > 0;
+    return {.number = number,
+            .a = a,
+            .b = b,
+            .near = static_cast<std::uint8_t>(near.bits),
+            .isRound = manifold.round,
+            .hasPoints = open.hasPoints,
+            .isTouching = open.hasPoints};
+}
+
+// Updates the manifolds of pairs that may meet before the next look. Each is written by one thread.
+void SteppedMotion::updatePairs(const ManifoldInput& here, std::span<const std::uint32_t> pairs,
+                                Manifolds& manifolds, Workers& workers, SteppedReport& report) {
+    const double fall = here.gravity.norm() * here.duration * here.duration;
+    std::atomic<std::size_t> collided = 0;
+    m_seen.resize(pairs.size());
+    workers.forRanges(pairs.size(), fewManifolds, [&](std::size_t begin, std::size_t end) {
+        std::size_t count = 0;
+        for (std::size_t i = begin; i < end; ++i) m_seen[i] = see(here, pairs[i], fall, manifolds, count);
+        collided += count;
+    });
+    report.work.pairsCollided += collided;
 }
 
 // The place that the frame of a body will have, or that of one along the axes of the world.

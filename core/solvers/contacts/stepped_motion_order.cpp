@@ -56,7 +56,7 @@ void SteppedMotion::divide(const SteppedInput& input) {
 
 // Inserts the pairs that were added among those that are in order.
 void SteppedMotion::orderGeneral() {
-    m_moving.isKnown = false;
+    forgetPairs();
     const auto isBefore = [this](std::uint32_t one, std::uint32_t other) {
         return m_entries[one] < m_entries[other];
     };
@@ -72,6 +72,7 @@ void SteppedMotion::orderGeneral() {
         while (end > place) renumberGeneral(--end, --to);
         m_general[--to] = entry;
         m_open[to] = {};
+        m_heldDepth[to] = -1;
         m_added.pop_back();
     }
     m_ascending = m_general.size();
@@ -80,6 +81,7 @@ void SteppedMotion::orderGeneral() {
 void SteppedMotion::renumberGeneral(std::size_t from, std::size_t to) {
     m_general[to] = m_general[from];
     m_open[to] = m_open[from];
+    m_heldDepth[to] = m_heldDepth[from];
     m_open[to].watched.open = static_cast<std::uint32_t>(to);
 }
 
@@ -107,6 +109,7 @@ void SteppedMotion::renumberEntries(std::vector<std::uint32_t>& numbers) {
     }
     m_general.resize(general);
     m_open.resize(general);
+    m_heldDepth.resize(general);
     m_ascending = ascending;
 }
 

@@ -80,14 +80,20 @@ void SteppedMotion::holdPairs() {
 // touch one that has.
 void SteppedMotion::addUpLoads(const SteppedInput& input, const Manifolds& manifolds) {
     touchBesideChanged(manifolds);
+    m_loadPairs.clear(m_general.size());
     for (std::uint32_t i = 1; i < m_bodies.size(); ++i) {
         if (!m_still.isTouched(i)) continue;
+        for (const std::uint32_t number : ends().pairsOf(i)) m_loadPairs.add(number);
         m_still.clearLoads(i);
         if (m_still.is(i)) m_still.lasting(i).force = input.bodies.mass[m_list[i - 1]] * input.gravity;
     }
+    m_loadPairs.forEach([&](std::uint32_t number) { addUpLoads(input, number, manifolds); });
     m_heldContacts = 0;
     m_heldDeepest = 0;
-    for (std::uint32_t number = 0; number < m_general.size(); ++number) addUpLoads(input, number, manifolds);
+    for (const double depth : m_heldDepth) {
+        m_heldContacts += depth >= 0 ? 1 : 0;
+        m_heldDeepest = std::max(m_heldDeepest, depth);
+    }
     const double perStep = 1 / m_step;
     m_balls.forEachPressing(m_still.touched(), [&](const BallRows::Contact& contact) {
         const Vec3 force = perStep * contact.impulse;
@@ -100,14 +106,15 @@ void SteppedMotion::addUpLoads(const SteppedInput& input, const Manifolds& manif
 void SteppedMotion::touchBesideChanged(const Manifolds& manifolds) {
     m_still.beginLoads();
     const std::span<const std::uint8_t> changed = m_still.changed();
-    for (const std::uint32_t entry : m_general) {
-        const auto [first, second] = m_entries[entry].pair;
-        const std::uint32_t a = m_local[first], b = m_local[second];
-        if ((changed[a] | changed[b]) == 0) continue;
-        const PersistentManifold& manifold = manifolds[m_entries[entry].place];
-        if (manifold.count == 0 || manifold.open) continue;
-        m_still.touch(a);
-        m_still.touch(b);
+    for (std::uint32_t i = 1; i < m_bodies.size(); ++i) {
+        if (changed[i] == 0) continue;
+        for (const std::uint32_t number : ends().pairsOf(i)) {
+            const PersistentManifold& manifold = manifolds[m_entries[m_general[number]].place];
+            if (manifold.count == 0 || manifold.open) continue;
+            const auto [a, b] = ends().of(number);
+            m_still.touch(a);
+            m_still.touch(b);
+        }
     }
     m_balls.forEachPressing(changed, [this](const BallRows::Contact& contact) {
         m_still.touch(contact.a);
@@ -115,30 +122,24 @@ void SteppedMotion::touchBesideChanged(const Manifolds& manifolds) {
     });
 }
 
-// The loads by a pair that is not of two balls.
+// The loads by a pair that is not of two balls, on bodies of which loads are added up.
 void SteppedMotion::addUpLoads(const SteppedInput& input, std::uint32_t number, const Manifolds& manifolds) {
-    const Entry& entry = m_entries[m_general[number]];
-    const std::uint32_t a = m_local[entry.pair.a], b = m_local[entry.pair.b];
+    const auto [a, b] = ends().of(number);
+    double& heldDepth = m_heldDepth[number];
+    heldDepth = -1;
+    if (!m_still.is(a) && !m_still.is(b)) return;
+    const PersistentManifold& manifold = manifolds[m_entries[m_general[number]].place];
+    if (manifold.count == 0 || manifold.open) return;
     const bool isHeld = m_still.is(a) && m_still.is(b);
-    double& heldDepth = m_open[number].heldDepth;
-    if (m_still.isTouched(a) || m_still.isTouched(b)) {
-        heldDepth = -1;
-        if (!m_still.is(a) && !m_still.is(b)) return;
-        const PersistentManifold& manifold = manifolds[entry.place];
-        if (manifold.count == 0 || manifold.open) return;
-        const PlacedManifold contact = placed({input.bodies, input.state, input.gravity, m_step}, manifold);
-        if (isHeld) heldDepth = 0;
-        for (const PointInput& point :
-             std::span(contact.points).first(static_cast<std::size_t>(contact.count))) {
-            if (isHeld) heldDepth = std::max(heldDepth, -point.separation);
-            if (addsLoad(a)) loadOf(a, b).add(point.armA, -point.impulse);
-            if (addsLoad(b)) loadOf(b, a).add(point.armB, point.impulse);
-        }
-        if (addsLoad(a)) loadOf(a, b).torque -= contact.torque;
-        if (addsLoad(b)) loadOf(b, a).torque += contact.torque;
+    const PlacedManifold contact = placed({input.bodies, input.state, input.gravity, m_step}, manifold);
+    if (isHeld) heldDepth = 0;
+    for (const PointInput& point : std::span(contact.points).first(static_cast<std::size_t>(contact.count))) {
+        if (isHeld) heldDepth = std::max(heldDepth, -point.separation);
+        if (addsLoad(a)) loadOf(a, b).add(point.armA, -point.impulse);
+        if (addsLoad(b)) loadOf(b, a).add(point.armB, point.impulse);
     }
-    m_heldContacts += isHeld && heldDepth >= 0 ? 1 : 0;
-    m_heldDeepest = std::max(m_heldDeepest, heldDepth);
+    if (addsLoad(a)) loadOf(a, b).torque -= contact.torque;
+    if (addsLoad(b)) loadOf(b, a).torque += contact.torque;
 }
 
 // Samples the forces of the last step between bodies that stand still and bodies that move.
