@@ -147,10 +147,11 @@ bool SteppedMotion::findAnew(const SteppedInput& input, const ManifoldInput& the
     const Vec3 normal = laneOf(of.normal, lane);
     if (!moveToNearest(input, there, {of.a[lane], of.b[lane]}, manifold.pair, normal)) {
         if (adds) return false;
+        m_hasEmptyRows = true;
+        if (m_rows.points()[of.firstPoint].massNormal[lane] == 0) return false; // they have none already
         PairInput none = inputOf(there.bodies, entry);
         none.normal = normal;
         m_rows.replace(group, lane, none, m_bodies);
-        m_hasEmptyRows = true;
         return false;
     }
     if (adds) {
