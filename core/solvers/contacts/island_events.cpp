@@ -412,6 +412,10 @@ bool IslandMotion::findStop(Braked& first) const {
         const double normal = row.impulse.x();
         // Where a body turns about a corner that sticks, the corner's speed over a part is that of turning.
         if (!(normal > 0) || m_stuck[i] != 0) continue;
+        // Where a gap closes within the part, its force is the larger, the shorter the part: there is no time
+        // at which the speed vanishes under a constant force.
+        const std::uint32_t point = m_rowPoint[i];
+        if (m_contacts.points[point].separation > touchingWithin(m_contacts.pairs[m_pairOf[point]])) continue;
         // The speed before is that of the contact as it was then.
         ContactRow start = row;
         if (!m_pushes.empty()) placeRow(m_rowPoint[i], start);
