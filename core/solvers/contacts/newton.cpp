@@ -80,6 +80,7 @@ void NewtonSolver::reserve(std::size_t bodies, std::size_t rows) {
     m_step.reserve(bodies);
     m_saved.reserve(bodies);
     m_best.reserve(bodies);
+    m_solved.reserve(bodies);
     m_matrix.reserve(bodies);
 }
 
@@ -99,12 +100,14 @@ NewtonReport NewtonSolver::solve(ContactProblem& problem, double tolerance, doub
         return report;
     }
     m_kappa = kappaWarm;
+    m_solved.clear();
     m_isCoupledBetter = false;
     report.factorisations += startFromNothing(problem);
     m_factoredAt = 0; // that of the first guess is another problem's
     double whole = std::numeric_limits<double>::infinity(), least = whole;
     bool first = true;
     int most = mostSteps, vain = 0;
+    double kappaLimit = kappaMost;
     for (int round = 0; round < mostRounds; ++round) {
         if (m_work >= mostWork) {
             takeBest(problem, report);
@@ -124,12 +127,15 @@ NewtonReport NewtonSolver::solve(ContactProblem& problem, double tolerance, doub
         first = false;
         ++vain;
         if (!minimised) { // multipliers from an unsolved inner problem would be amplified by ρ
+            kappaLimit = std::max(kappaWarm, m_kappa / kappaGrowth);
             const double part = std::min(1 / kappaGrowth, steps.limit > 0 ? inner / steps.limit : 1);
             m_kappa = std::max(kappaLeast, part * m_kappa);
             if (steps.limit > 0) continue;
+            if (!m_solved.empty()) takeVelocities(m_solved, problem); // those that failed may have run away
             most = std::max(leastSteps, most / 2);
             continue;
         }
+        saveVelocities(problem, m_solved);
         const double change = updateMultipliers(problem);
         if (change <= 0.5 * least) {
             least = change;
@@ -148,7 +154,7 @@ NewtonReport NewtonSolver::solve(ContactProblem& problem, double tolerance, doub
         if (change <= tolerance) // only the inner problem is left, where rounding is least at this κ
             m_kappa = std::min(m_kappa, kappaWarm);
         else if (!isFollowed && (change > 0.1 * residual || m_kappa < kappaWarm))
-            m_kappa = std::min(kappaMost, m_kappa * kappaGrowth);
+            m_kappa = std::min(kappaLimit, m_kappa * kappaGrowth);
         residual = change;
     }
     takeImpulses(problem);

@@ -135,7 +135,7 @@ class NewtonSolver {
     ProblemUnits m_units; // that H is written in, and its pivots are chosen in
     std::vector<BlockEdge> m_edges;
     std::vector<std::pair<Vec3, Vec2>> m_first; // by row: the impulses of the start
-    std::vector<Vec6> m_gradient, m_step, m_saved, m_best;
+    std::vector<Vec6> m_gradient, m_step, m_saved, m_best, m_solved;
     BlockMatrix m_matrix;
 };
 
