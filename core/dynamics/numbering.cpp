@@ -14,6 +14,8 @@
 namespace carom {
 namespace {
 
+using Place = std::tuple<bool, double, double, double, double, double>;
+
 std::array<double, 3> numbersOf(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
 std::vector<std::tuple<std::string_view, std::array<double, 3>>> numbersOf(const EffectValues& values) {
@@ -39,9 +41,14 @@ std::array<double, 4> numbersOf(const Shape& shape) {
     return std::visit(Numbers{}, shape);
 }
 
-auto placeOf(const Body& body) {
+// The width of layers is a power of two: the same scene in other units has the same order. It is that of each
+// body, so that the order of two depends on no third one.
+Place placeOf(const Body& body) {
     const Vec3& at = body.pose.position;
-    return std::tuple(!isWall(body.shape), at.y(), at.x(), at.z());
+    if (isWall(body.shape)) return {false, at.y(), at.x(), at.z(), 0, 0};
+    const double width = std::scalbn(1.0, std::ilogb(2 * boundingRadiusOf(body.shape)));
+    const auto floorOf = [width](double value) { return width * std::floor(value / width); };
+    return {true, floorOf(at.y()), floorOf(at.x()), at.z(), at.y(), at.x()};
 }
 
 auto everythingElseOf(const Body& body) {
@@ -80,7 +87,7 @@ bool springBefore(const SpringForce& a, const SpringForce& b) {
 
 std::vector<BodyIndex> canonicalOrder(const Scene& scene) {
     struct Placed { // beside each other: bodies are far apart in memory
-        std::tuple<bool, double, double, double> place;
+        Place place;
         BodyIndex body = noBody;
     };
     std::vector<Placed> placed;

@@ -14,8 +14,10 @@
 namespace carom {
 
 /// Every body once, in an order that follows from what the bodies are and where they start: walls first, then
-/// from below upwards (y, then x, then z), then by all that a declaration says. Only bodies that are alike in
-/// everything, place included, are left in the order of the text.
+/// from below upwards in layers, rows of these along x, and along z within a row, then by all that a
+/// declaration says. Layers and rows are at most as wide as the body itself, so that those near each other
+/// have numbers, and places in memory, near each other though heights differ by little. Only bodies that are
+/// alike in everything, place included, are left in the order of the text.
 std::vector<BodyIndex> canonicalOrder(const Scene& scene);
 
 /// The origin that coordinates should have [m]: zero, unless everything, springs and the near parts of walls
