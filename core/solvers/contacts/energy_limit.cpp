@@ -36,15 +36,6 @@ using Four = std::array<std::uint32_t, wideLanes>;
 
 using List = std::span<const std::uint32_t>;
 
-/// Four bodies of a list from place `i` on, of which the last stands for those that there are not.
-CAROM_INLINE Four fourOf(List list, std::size_t i) {
-    if (i + wideLanes <= list.size()) return {list[i], list[i + 1], list[i + 2], list[i + 3]};
-    Four four;
-    for (std::size_t lane = 0; lane < wideLanes; ++lane)
-        four[lane] = list[std::min(i + lane, list.size() - 1)];
-    return four;
-}
-
 CAROM_INLINE void put(const Wide& four, std::size_t count, double* to) {
     if (count >= wideLanes) {
         __builtin_memcpy(to, &four, sizeof(Wide));

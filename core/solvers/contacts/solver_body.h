@@ -39,6 +39,12 @@ struct alignas(32) Displacement {
     double angle = 0;              ///< of all that it has turned through [rad]
 };
 
+/// How far a body had turned when its contacts were found.
+struct alignas(32) SeenTurn {
+    std::array<double, 3> turn{}; ///< [rad]
+    double unused = 0;
+};
+
 /// Compares bits, which is cheaper than numbers: 0 is never negative here.
 inline bool canMove(const SolverBody& body) { return std::bit_cast<std::uint64_t>(body.inverseMass) != 0; }
 

@@ -223,14 +223,23 @@ void SteppedMotion::foreseeStruck(double duration, Workers& workers) {
 }
 
 CAROM_WIDE void SteppedMotion::foreseeStruck(double duration, std::span<const std::uint32_t> numbers) {
-    for (const std::uint32_t i : numbers) {
-        const SolverBody& body = m_bodies[i];
-        Coming& to = m_coming[i];
-        to.isStruck = m_struck[i] != 0 || body.velocity != m_free[i].velocity;
-        to.shift = vectorOf(m_moved[i].shift) + duration * vectorOf(body.velocity);
-        to.turn = body.roundInverse > 0
-                      ? 0
-                      : vectorOf(m_moved[i].turn).norm() + duration * vectorOf(body.spin).norm();
+    const Wide time = wideOf(duration), zero{};
+    for (std::size_t k = 0; k < numbers.size(); k += wideLanes) {
+        const std::array<std::uint32_t, 4> four = fourOf(numbers, k);
+        Motion body;
+        gatherVelocity(m_bodies.data(), four, body);
+        const Moved moved = gather(m_moved.data(), four);
+        const Wide3 shift = moved.shift + time * body.velocity;
+        const Wide turn = body.roundInverse > zero ? zero
+                                                   : carom::rootOf(dot(moved.turn, moved.turn)) +
+                                                         time * carom::rootOf(dot(body.spin, body.spin));
+        std::array<Wide, 4> to{shift.x, shift.y, shift.z, turn};
+        transpose(to[0], to[1], to[2], to[3]);
+        for (std::size_t lane = 0; lane < wideLanes; ++lane) {
+            const std::uint32_t i = four[lane];
+            storeWide(m_coming[i].shift.data(), to[lane]); // and the turn
+            m_coming[i].isStruck = m_struck[i] != 0 || m_bodies[i].velocity != m_free[i].velocity;
+        }
     }
 }
 
@@ -238,7 +247,8 @@ CAROM_WIDE void SteppedMotion::foreseeStruck(double duration, std::span<const st
 CAROM_INLINE bool SteppedMotion::isStruck(const Watched& pair) const {
     const Coming &a = m_coming[pair.a], &b = m_coming[pair.b];
     if (!a.isStruck && !b.isStruck) return false;
-    return pair.gap + pair.normal.dot(b.shift - a.shift) < pair.radiusA * a.turn + pair.radiusB * b.turn;
+    return pair.gap + pair.normal.dot(vectorOf(b.shift) - vectorOf(a.shift)) <
+           pair.radiusA * a.turn + pair.radiusB * b.turn;
 }
 
 // The first of the watched pairs from `number` on that is struck, or their number.

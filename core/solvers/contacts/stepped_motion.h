@@ -336,10 +336,10 @@ class SteppedMotion {
         std::uint32_t place = 0;
     };
     /// How far a body moves until the end of a step, from its pose at the look.
-    struct Coming {
-        Vec3 shift = Vec3::Zero(); ///< [m]
-        double turn = 0;           ///< [rad]
-        bool isStruck = false;     ///< by anything since the look, this step included
+    struct alignas(32) Coming {
+        std::array<double, 3> shift{}; ///< [m]
+        double turn = 0;               ///< [rad]
+        bool isStruck = false;         ///< by anything since the look, this step included
     };
     /// An island is put in order when a frame begins if more than one pair for so many of its bodies has come
     /// or gone since it was. At half, passes go through more pairs out of order and through empty lanes; at
@@ -431,6 +431,7 @@ class SteppedMotion {
     bool addStruck(const SteppedInput& input, double duration, Manifolds& manifolds, SteppedReport& report);
     std::size_t points() { return wideLanes * (m_rows.points().size() + m_balls.activeGroups()); }
     void foreseeTurned(const SteppedInput& input, double duration);
+    void foreseeTurned(const SteppedInput& input, double duration, std::uint32_t number);
     void moveAhead(const SteppedInput& input, const Foreseen& body, double part);
     bool lookAhead(const SteppedInput& input, double duration, Manifolds& manifolds, SteppedReport& report,
                    bool isSolved);
@@ -577,8 +578,8 @@ class SteppedMotion {
     Scratch<std::vector<Coming>> m_coming;                   // by number
     Scratch<std::vector<std::uint32_t>> m_turns;             // numbers of those that turn in the step
     Scratch<std::vector<std::uint8_t>> m_hasTurned; // by number: since the rows had their effective masses
-    Scratch<std::vector<Vec3>> m_seenTurn; // by number: how far it had turned when its contacts were found
-    Scratch<std::vector<Since>> m_since;   // by number
+    Scratch<std::vector<SeenTurn>> m_seenTurn;      // by number
+    Scratch<std::vector<Since>> m_since;            // by number
     // By number: its contacts must be found anew at the next look.
     Scratch<std::vector<std::uint8_t>> m_isFar;
     Scratch<std::vector<LanePacker::Place>> m_rowOf;     // by entry: place of its rows when the look began
@@ -592,9 +593,8 @@ class SteppedMotion {
     Scratch<std::vector<double>> m_gained;       // by part: about twice the energy that contacts give [J]
     Scratch<std::vector<double>> m_gains;        // the same by body that does not stand still
     Scratch<EnergyLimit> m_stepEnergy, m_energy; // of the step, and of the rebound
-    Scratch<ForcedSteps> m_forced; // of the bodies that force terms act on; owners are their numbers
-    Scratch<std::vector<Vec3>>
-        m_halfWays; // by number: how far the velocity at the end is too far, with terms
+    Scratch<ForcedSteps> m_forced;         // of the bodies that force terms act on; owners are their numbers
+    Scratch<std::vector<Vec3>> m_halfWays; // by number: what its last velocity adds too much, with terms
 };
 
 } // namespace carom

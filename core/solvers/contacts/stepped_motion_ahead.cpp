@@ -2,6 +2,7 @@
 #include "core/base/wide.h"
 #include "core/math/rotation.h"
 #include "core/solvers/contacts/stepped_motion.h"
+#include "core/solvers/contacts/wide_bodies.h"
 
 #include <algorithm>
 #include <array>
@@ -31,21 +32,37 @@ constexpr double mostTimes = 16;
 CAROM_WIDE void SteppedMotion::foreseeTurned(const SteppedInput& input, double duration) {
     m_foreseen.clear();
     m_hasTurned.assign(m_bodies.size(), 0);
-    for (const std::uint32_t i : m_moving.paired) {
-        const Vec3 turn = duration * vectorOf(m_bodies[i].spin);
-        Vec3 since = vectorOf(m_moved[i].turn) + turn - m_seenTurn[i];
-        if (!(since.squaredNorm() > m_turnable[i].most)) continue;
-        const Pose& pose = input.state.pose[m_list[i - 1]];
-        if (m_turnable[i].hasAxis) {
-            const Vec3 axis = pose.orientation * Vec3::UnitY();
-            since -= axis.dot(since) * axis;
-            if (!(since.squaredNorm() > m_turnable[i].most)) continue;
-        }
-        m_hasTurned[i] = 1;
-        noteFar(i);
-        m_foreseen.push_back({i, pose, m_moved[i], duration * vectorOf(m_bodies[i].velocity), turn});
-        m_seenTurn[i] = vectorOf(m_moved[i].turn) + turn;
+    const std::span<const std::uint32_t> list = m_moving.paired;
+    const Wide time = wideOf(duration);
+    for (std::size_t i = 0; i < list.size(); i += wideLanes) {
+        const std::array<std::uint32_t, 4> four = fourOf(list, i);
+        const Wide3 spin = gatherThree<SolverBody>(m_bodies[0].spin.data(), four),
+                    moved = gatherThree<Displacement>(m_moved[0].turn.data(), four),
+                    seen = gatherThree<SeenTurn>(m_seenTurn[0].turn.data(), four);
+        const Wide3 since = moved + time * spin - seen;
+        const Wide most{m_turnable[four[0]].most, m_turnable[four[1]].most, m_turnable[four[2]].most,
+                        m_turnable[four[3]].most};
+        if (!anyLane(dot(since, since) > most)) continue;
+        for (std::size_t lane = i; lane < std::min(i + wideLanes, list.size()); ++lane)
+            foreseeTurned(input, duration, list[lane]);
     }
+}
+
+void SteppedMotion::foreseeTurned(const SteppedInput& input, double duration, std::uint32_t number) {
+    const Vec3 turn = duration * vectorOf(m_bodies[number].spin);
+    Vec3 since = vectorOf(m_moved[number].turn) + turn - vectorOf(m_seenTurn[number].turn);
+    if (!(since.squaredNorm() > m_turnable[number].most)) return;
+    const Pose& pose = input.state.pose[m_list[number - 1]];
+    if (m_turnable[number].hasAxis) {
+        const Vec3 axis = pose.orientation * Vec3::UnitY();
+        since -= axis.dot(since) * axis;
+        if (!(since.squaredNorm() > m_turnable[number].most)) return;
+    }
+    m_hasTurned[number] = 1;
+    noteFar(number);
+    m_foreseen.push_back(
+        {number, pose, m_moved[number], duration * vectorOf(m_bodies[number].velocity), turn});
+    m_seenTurn[number].turn = arrayOf(vectorOf(m_moved[number].turn) + turn);
 }
 
 // Moves a body to where it will be after part of the step.

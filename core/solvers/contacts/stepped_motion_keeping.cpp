@@ -29,7 +29,7 @@ void SteppedMotion::keepRows(const SteppedInput& input, const Manifolds& manifol
         Since& since = m_since[i];
         const double size = input.bodies.boundingRadius[m_list[i - 1]];
         since.shift += vectorOf(m_moved[i].shift);
-        since.turned = (vectorOf(m_moved[i].turn) - m_seenTurn[i]).norm();
+        since.turned = (vectorOf(m_moved[i].turn) - vectorOf(m_seenTurn[i].turn)).norm();
         since.moved = since.shift.norm();
         if (since.moved > rowsWithin * size || since.turned > rowsAngle)
             m_isFar[i] = 1; // none of its pairs keeps its rows

@@ -74,7 +74,7 @@ void SteppedMotion::findMoving() {
     m_moving.bodies.clear();
     m_moving.paired.clear();
     m_part.resize(m_bodies.size());
-    m_seenTurn.resize(m_bodies.size(), Vec3::Zero());
+    m_seenTurn.resize(m_bodies.size());
     m_since.resize(m_bodies.size());
     m_isFar.resize(m_bodies.size(), 0);
     for (std::uint32_t i = 1; i < m_bodies.size(); ++i) {
@@ -96,7 +96,10 @@ void SteppedMotion::findMoving() {
 void SteppedMotion::forgetMoved() {
     for (const std::uint32_t i : m_moving.awake) {
         const bool isFar = m_isFar[i] != 0;
-        m_seenTurn[i] = isFar ? Vec3(Vec3::Zero()) : Vec3(m_seenTurn[i] - vectorOf(m_moved[i].turn));
+        if (isFar)
+            m_seenTurn[i] = {};
+        else
+            add(m_seenTurn[i].turn, -vectorOf(m_moved[i].turn));
         if (isFar) m_since[i] = {};
         m_moved[i] = {};
         m_struck[i] = 0;

@@ -8,6 +8,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 // Four bodies in registers, one in each lane: gathered from their records, worked on, and scattered back.
 
@@ -41,6 +42,15 @@ struct Motion {
     Wide inverseMass, roundInverse;
     Wide xx, xy, xz, yy, yz, zz;
 };
+
+/// Four numbers of a list from place `i` on, of which the last stands for those that there are not.
+CAROM_INLINE std::array<std::uint32_t, 4> fourOf(std::span<const std::uint32_t> list, std::size_t i) {
+    if (i + wideLanes <= list.size()) return {list[i], list[i + 1], list[i + 2], list[i + 3]};
+    std::array<std::uint32_t, 4> four;
+    for (std::size_t lane = 0; lane < wideLanes; ++lane)
+        four[lane] = list[std::min(i + lane, list.size() - 1)];
+    return four;
+}
 
 CAROM_INLINE const double* recordOf(const SolverBody& body) { return body.velocity.data(); }
 CAROM_INLINE double* recordOf(SolverBody& body) { return body.velocity.data(); }
