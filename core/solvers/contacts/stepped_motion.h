@@ -244,9 +244,9 @@ class SteppedMotion {
     static constexpr std::uint32_t gone = BallRows::noPair; ///< new number of what does not stay
     struct Watched {
         std::uint32_t entry = 0;
-        std::uint32_t open = 0;     ///< number of the pair in m_open
-        std::uint32_t a = 0, b = 0; ///< bodies of the solve
-        Vec3 normal = Vec3::Zero();
+        std::uint32_t open = 0;          ///< number of the pair in m_open
+        std::uint32_t a = 0, b = 0;      ///< bodies of the solve
+        Vec3 normal = Vec3::Zero();      ///< as of the last update
         double gap = 0;                  ///< along the normal, when the rows were made [m]
         double radiusA = 0, radiusB = 0; ///< of the bodies, as far as they turn: 0 for balls [m]
     };
@@ -254,7 +254,7 @@ class SteppedMotion {
     /// of then, less what the two may have closed of it since, is too large for them to meet.
     struct OpenPair {
         Watched watched;  ///< its gap is 0 if the pair must be updated [m]
-        double slack = 0; ///< within it they may touch however slow they are [m]
+        double slack = 0; ///< within it they may touch however slow they are [m]; 0 before its first update
         bool hasPoints = false;
         bool lacksRows = false; ///< it can meet; the gap is that of points without rows, 0 if there are none
     };
@@ -276,6 +276,7 @@ class SteppedMotion {
     /// A pair in contact, with the place of its rows.
     struct Placed {
         LanePacker::Place place;
+        std::uint32_t number = 0; ///< in m_general
         std::uint32_t entry = 0;
         std::uint32_t frameA = 0, frameB = 0; ///< into m_frames
         std::uint8_t near = 0;                ///< as in Seen
@@ -403,7 +404,7 @@ class SteppedMotion {
     PlacedManifold placedAtLook(const ManifoldInput& here, const PersistentManifold& manifold) const;
     PairInput rowOf(const Bodies& bodies, std::uint32_t entry, const PlacedManifold& contact);
     void addRows(const ManifoldInput& here, Manifolds& manifolds, Workers& workers);
-    PairInput rowOf(const ManifoldInput& here, std::uint32_t entry, const PersistentManifold& manifold);
+    PairInput rowOf(const Bodies& bodies, const Placed& placed, const PersistentManifold& manifold);
     void setRow(const ManifoldInput& here, const Placed& placed, Manifolds& manifolds);
     PairInput inputOf(const Bodies& bodies, std::uint32_t entry);
     std::uint32_t frameOf(BodyIndex body, std::uint32_t number, bool turns);
@@ -422,8 +423,7 @@ class SteppedMotion {
     void noteTravel(const SteppedInput& input, double duration);
     double comesAlong(const Vec3& normal, std::uint32_t numberA, std::uint32_t numberB) const;
     bool staysOpen(OpenPair& pair, double fall) const;
-    OpenPair openPairOf(const ManifoldInput& here, std::uint32_t number, const Manifolds& manifolds,
-                        const Vec3& normal) const;
+    OpenPair openPairOf(const Bodies& bodies, std::uint32_t number) const;
     void foreseeStruck(double duration, Workers& workers);
     void foreseeStruck(double duration, std::span<const std::uint32_t> numbers);
     bool isStruck(const Watched& pair) const;

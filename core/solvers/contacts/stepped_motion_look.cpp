@@ -20,6 +20,14 @@ namespace {
 /// saves; at twice, those of some hundred bodies are made by one.
 constexpr std::size_t fewFrames = 512;
 
+/// By the bits of the points of a pair: how many there are.
+constexpr std::array<std::uint8_t, 1U << mostRowPoints> countOf = [] {
+    std::array<std::uint8_t, 1U << mostRowPoints> counts{};
+    for (unsigned bits = 0; bits < counts.size(); ++bits)
+        counts[bits] = static_cast<std::uint8_t>(std::popcount(bits));
+    return counts;
+}();
+
 } // namespace
 
 // Finds the contacts at the present poses. Within a frame, rows of pairs are kept of which neither body has
@@ -173,25 +181,22 @@ SteppedMotion::Seen SteppedMotion::seeAnew(const ManifoldInput& here, std::uint3
         openIfApart(here, manifold);
     else
         collided += updateManifold(here, entry.margin, manifold) ? 1 : 0;
-    open.watched.gap = 0;
-    open.lacksRows = false;
+    if (!(open.slack > 0)) open = openPairOf(here.bodies, number);
     const Vec3 normal = normalOf(here, manifold);
+    open.watched.normal = normal;
+    open.hasPoints = manifold.count > 0;
+    open.lacksRows = false;
     if (manifold.open) {
-        open = openPairOf(here, number, manifolds, normal);
+        open.watched.gap = manifold.gap;
         return {.number = number, .hasPoints = open.hasPoints, .isWatched = open.watched.gap <= entry.margin};
     }
-    const auto [a, b] = numbersOf(manifold.pair);
-    const double slack = slackPart * smallerSize(here.bodies, manifold.pair);
-    const NearPoints near = nearPoints(here, manifold, normal, slack + fall + comesAlong(normal, a, b));
-    if (std::isfinite(near.next)) {
-        open = openPairOf(here, number, manifolds, normal);
-        open.watched.gap = near.next;
-        open.lacksRows = true;
-    }
-    open.hasPoints = manifold.count > 0;
+    const double reach = open.slack + fall + comesAlong(normal, open.watched.a, open.watched.b);
+    const NearPoints near = nearPoints(here, manifold, normal, reach);
+    open.lacksRows = std::isfinite(near.next);
+    open.watched.gap = open.lacksRows ? near.next : 0;
     return {.number = number,
-            .a = a,
-            .b = b,
+            .a = open.watched.a,
+            .b = open.watched.b,
             .near = static_cast<std::uint8_t>(near.bits),
             .isRound = manifold.round,
             .hasPoints = open.hasPoints,
@@ -237,14 +242,14 @@ void SteppedMotion::addRows(const ManifoldInput& here, Manifolds& manifolds, Wor
             const Seen& seen = m_touching[i];
             const std::uint32_t entry = m_general[seen.number];
             const auto [a, b] = m_entries[entry].pair;
-            const std::size_t count = static_cast<std::size_t>(std::popcount(seen.near));
+            const std::size_t count = countOf[seen.near];
             const bool hasRows = m_rowState[entry] == Rows::Old;
             const LanePacker::Place old = hasRows ? oldRowsOf(entry) : LanePacker::Place{};
             const bool isAgain = hasRows && m_rows.placeAgain(old, count);
             if (hasRows && !isAgain) m_rows.remove(old);
-            m_placed.push_back({isAgain ? old : m_rows.placeCarried(seen.a, seen.b, count, entry), entry,
-                                frameOf(a, seen.a, !seen.isRound), frameOf(b, seen.b, !seen.isRound),
-                                seen.near, isAgain});
+            m_placed.push_back({isAgain ? old : m_rows.placeCarried(seen.a, seen.b, count, entry),
+                                seen.number, entry, frameOf(a, seen.a, !seen.isRound),
+                                frameOf(b, seen.b, !seen.isRound), seen.near, isAgain});
         },
         [this](std::size_t phase) { m_rows.endSection(phase); });
     for (const Framed& framed : m_framed) m_frameOf[m_local[framed.body]] = BallRows::noPair;
@@ -257,7 +262,7 @@ void SteppedMotion::addRows(const ManifoldInput& here, Manifolds& manifolds, Wor
     });
     for (const Placed& placed : m_placed) {
         if (!(m_laws[placed.entry].rolling > 0)) continue;
-        const PairInput pair = rowOf(here, placed.entry, manifolds[m_entries[placed.entry].place]);
+        const PairInput pair = rowOf(here.bodies, placed, manifolds[m_entries[placed.entry].place]);
         if (placed.isAgain)
             m_rows.turnRolling(placed.place, pair.normal, m_bodies);
         else
@@ -308,10 +313,10 @@ PairInput SteppedMotion::rowOf(const Bodies& bodies, std::uint32_t entry, const 
     return pair;
 }
 
-PairInput SteppedMotion::rowOf(const ManifoldInput& here, std::uint32_t entry,
+PairInput SteppedMotion::rowOf(const Bodies& bodies, const Placed& placed,
                                const PersistentManifold& manifold) {
-    PairInput pair = inputOf(here.bodies, entry);
-    pair.normal = normalOf(here, manifold);
+    PairInput pair = inputOf(bodies, placed.entry);
+    pair.normal = m_open[placed.number].watched.normal;
     pair.torque = manifold.torque;
     return pair;
 }
@@ -327,7 +332,7 @@ void SteppedMotion::setRow(const ManifoldInput& here, const Placed& placed, Mani
             points.points[points.count++] = &manifold.points[k];
         else
             manifold.points[k].force.setZero(); // what touches again begins without a force
-    m_rows.setCarried(placed.place, rowOf(here, placed.entry, manifold), points);
+    m_rows.setCarried(placed.place, rowOf(here.bodies, placed, manifold), points);
 }
 
 void SteppedMotion::noteTravel(const SteppedInput& input, double duration) {
@@ -341,24 +346,20 @@ void SteppedMotion::noteTravel(const SteppedInput& input, double duration) {
     });
 }
 
-SteppedMotion::OpenPair SteppedMotion::openPairOf(const ManifoldInput& here, std::uint32_t number,
-                                                  const Manifolds& manifolds, const Vec3& normal) const {
+// What is the same for a pair until bodies get other numbers.
+SteppedMotion::OpenPair SteppedMotion::openPairOf(const Bodies& bodies, std::uint32_t number) const {
     const std::uint32_t entry = m_general[number];
-    const PersistentManifold& manifold = manifolds[m_entries[entry].place];
-    const auto [a, b] = manifold.pair;
+    const auto [a, b] = m_entries[entry].pair;
     const auto turning = [&](BodyIndex i) {
-        return here.bodies.mobile[i] != 0 && !isSphere(here.bodies, i) ? here.bodies.boundingRadius[i] : 0;
+        return bodies.mobile[i] != 0 && !isSphere(bodies, i) ? bodies.boundingRadius[i] : 0;
     };
     return {.watched = {.entry = entry,
                         .open = number,
                         .a = m_local[a],
                         .b = m_local[b],
-                        .normal = normal,
-                        .gap = manifold.gap,
                         .radiusA = turning(a),
                         .radiusB = turning(b)},
-            .slack = slackPart * smallerSize(here.bodies, manifold.pair),
-            .hasPoints = manifold.count > 0};
+            .slack = slackPart * smallerSize(bodies, m_entries[entry].pair)};
 }
 
 } // namespace carom
