@@ -126,6 +126,15 @@ CAROM_INLINE auto isImpact(const Row& row) {
     return (row.approach > Wide{}) & (row.normal > Wide{});
 }
 
+/// Whether any body of a group is.
+template<class Group>
+CAROM_INLINE bool hasActive(const Group& group, const ActiveBodies& active) {
+    unsigned any = 0;
+    for (std::size_t lane = 0; lane < wideLanes; ++lane)
+        any |= active.bodies[group.a[lane]] | static_cast<unsigned>(active.bodies[group.b[lane]]);
+    return any != 0;
+}
+
 /// 1 in the lanes of which a body is.
 template<class Group>
 CAROM_INLINE Wide activeLanes(const Group& group, const ActiveBodies& active) {

@@ -97,10 +97,13 @@ double kineticEnergyOf(const SolverBody& body) {
     return energy;
 }
 
-void copyVelocities(std::span<const SolverBody> bodies, std::vector<BodyVelocity>& to) {
+CAROM_WIDE void copyVelocities(std::span<const SolverBody> bodies, std::span<const std::uint32_t> list,
+                               std::vector<BodyVelocity>& to) {
     to.resize(bodies.size());
-    for (std::size_t i = 0; i < bodies.size(); ++i)
-        to[i] = {.velocity = bodies[i].velocity, .spin = bodies[i].spin};
+    for (const std::uint32_t i : list) {
+        storeWide(to[i].velocity.data(), loadWide(recordOf(bodies[i]))); // with what is beside them
+        storeWide(to[i].spin.data(), loadWide(recordOf(bodies[i]) + 4));
+    }
 }
 
 void findGains(std::span<const SolverBody> bodies, std::span<const BodyVelocity> before,

@@ -21,8 +21,9 @@ namespace carom {
 /// Of a body that can move [J].
 double kineticEnergyOf(const SolverBody& body);
 
-/// The velocities of all bodies.
-void copyVelocities(std::span<const SolverBody> bodies, std::vector<BodyVelocity>& to);
+/// The velocities of bodies of a list, by number.
+void copyVelocities(std::span<const SolverBody> bodies, std::span<const std::uint32_t> list,
+                    std::vector<BodyVelocity>& to);
 /// About twice the energy that each body of a list has gained since it had the velocities `before`, less that
 /// of the speed whose square is `resting` [J]: as if it were a ball.
 void findGains(std::span<const SolverBody> bodies, std::span<const BodyVelocity> before,

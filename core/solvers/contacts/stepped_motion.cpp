@@ -432,7 +432,7 @@ void SteppedMotion::rebound(const StepSettings& settings, Workers& workers, Step
     report.work.impacts += static_cast<std::uint64_t>(impacts);
     for (const SpringRow& spring : m_springs)
         m_energy.allow(partOf()[std::max(spring.a, spring.b)], workOf(spring, m_bodies));
-    copyVelocities(m_bodies, m_before);
+    copyVelocities(m_bodies, m_moving.awake, m_before);
     const int passes = m_balls.rebound(m_bodies, m_moved, settings, mostStrikes, active, workers);
     report.work.rowsSwept +=
         wideLanes * (static_cast<std::size_t>(passes) * m_balls.activeGroups() +

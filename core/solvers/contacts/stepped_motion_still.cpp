@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/wide.h"
 #include "core/dynamics/contact_memory.h"
 #include "core/dynamics/free_rotation.h"
 #include "core/solvers/contacts/calm.h"
@@ -9,6 +10,8 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <span>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -20,6 +23,26 @@ namespace {
 void setInverseInertia(const Vec3& principal, const Quat& orientation, SolverBody& body) {
     const Mat3 turn = isIsotropic(principal) ? Mat3(Mat3::Identity()) : orientation.toRotationMatrix();
     carom::setInverseInertia(turn * principal.asDiagonal() * turn.transpose(), body);
+}
+
+// How many depths are not below 0, and the largest of these or 0 [m].
+CAROM_WIDE std::pair<std::size_t, double> sumOfHeld(std::span<const double> depths) {
+    const Wide zero{}, one = wideOf(1);
+    Wide count{}, deepest{};
+    std::size_t i = 0;
+    for (; i + wideLanes <= depths.size(); i += wideLanes) {
+        Wide depth;
+        __builtin_memcpy(&depth, &depths[i], sizeof(Wide));
+        count += depth >= zero ? one : zero;
+        deepest = larger(deepest, depth);
+    }
+    std::size_t held = static_cast<std::size_t>(count[0] + count[1] + count[2] + count[3]);
+    double most = std::max(std::max(deepest[0], deepest[1]), std::max(deepest[2], deepest[3]));
+    for (; i < depths.size(); ++i) {
+        held += depths[i] >= 0 ? 1 : 0;
+        most = std::max(most, depths[i]);
+    }
+    return {held, most};
 }
 
 } // namespace
@@ -88,12 +111,7 @@ void SteppedMotion::addUpLoads(const SteppedInput& input, const Manifolds& manif
         if (m_still.is(i)) m_still.lasting(i).force = input.bodies.mass[m_list[i - 1]] * input.gravity;
     }
     m_loadPairs.forEach([&](std::uint32_t number) { addUpLoads(input, number, manifolds); });
-    m_heldContacts = 0;
-    m_heldDeepest = 0;
-    for (const double depth : m_heldDepth) {
-        m_heldContacts += depth >= 0 ? 1 : 0;
-        m_heldDeepest = std::max(m_heldDeepest, depth);
-    }
+    std::tie(m_heldContacts, m_heldDeepest) = sumOfHeld(m_heldDepth);
     const double perStep = 1 / m_step;
     m_balls.forEachPressing(m_still.touched(), [&](const BallRows::Contact& contact) {
         const Vec3 force = perStep * contact.impulse;

@@ -19,8 +19,10 @@ CAROM_INLINE Wide solveGroup(const RowGroup& group, RowPoint* points, SolverBody
                              const StepSettings& settings, const Softnesses& softness,
                              const ActiveBodies& active) {
     Wide reached{};
-    if constexpr (pass == Pass::Rebound)
-        if (!anyLane(reached = activeLanes(group, active))) return Wide{};
+    if constexpr (pass == Pass::Rebound) {
+        if (!hasActive(group, active)) return Wide{};
+        reached = activeLanes(group, active);
+    }
     Motion a, b;
     gather(bodies, group.a, a);
     gather(bodies, group.b, b);
