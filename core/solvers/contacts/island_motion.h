@@ -161,6 +161,7 @@ class IslandMotion {
     bool mayMeet(const MotionInput& input, std::uint32_t p, double duration) const;
     bool gainsEnergy(const MotionInput& input, double duration, double most) const;
     bool pushesApart() const;
+    double workOfFriction() const;
     bool mayMissImpact(const MotionInput& input, double duration);
     bool sinkIn(const MotionInput& input, double duration);
     double overlapOf(const ContactPair& pair) const;
