@@ -29,7 +29,7 @@ constexpr double slack = 1.002;
 constexpr double mostCells = 1.0995e12;
 // Boxes of which one thread finds the pairs, at least; one takes some .3 us. At half, waking a thread costs
 // nearly what it saves; at twice, some hundred boxes have one.
-constexpr std::size_t fewBoxes = 256;
+constexpr std::size_t fewSearched = 256;
 
 double halfWidth(const Aabb& box) { return (0.5 * box.upper - 0.5 * box.lower).maxCoeff(); }
 Vec3 centreOf(const Aabb& box) { return 0.5 * box.lower + 0.5 * box.upper; } // cannot overflow
@@ -65,7 +65,7 @@ void UniformGrid::update(const BroadphaseInput& input) {
     makeLevels(input);
     place(input);
     const std::span<Finds> parts = input.workers->forKeptLists(
-        m_placed.size(), fewBoxes, m_finds, [&](std::size_t begin, std::size_t end, Finds& finds) {
+        m_placed.size(), fewSearched, m_finds, [&](std::size_t begin, std::size_t end, Finds& finds) {
             for (std::size_t p = begin; p < end; ++p)
                 find(static_cast<std::uint32_t>(p), input.boxes[m_placed[p].entry], finds);
         });
