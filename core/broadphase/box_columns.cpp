@@ -4,18 +4,6 @@
 namespace carom {
 namespace {
 
-/// Four doubles from anywhere. (Clang drops an alignment that is named together with the size.)
-using Loose [[gnu::aligned(alignof(double))]] = Wide;
-static_assert(alignof(Loose) == alignof(double));
-using Lanes = std::int64_t __attribute__((vector_size(32)));
-
-CAROM_INLINE Wide loadLoose(const double* from) { return *reinterpret_cast<const Loose*>(from); }
-
-CAROM_INLINE bool anyLane(const Lanes& is) {
-    const auto two = __builtin_shufflevector(is, is, 0, 1) | __builtin_shufflevector(is, is, 2, 3);
-    return (two[0] | two[1]) != 0;
-}
-
 /// One box against four of the columns at once.
 struct Comparison {
     std::array<const double*, 3> lowers, uppers; // of the columns
@@ -31,16 +19,16 @@ struct Comparison {
     }
 
     /// All bits of a lane where entries at .. at+3 overlap the box.
-    [[gnu::always_inline]] Lanes hits(std::int64_t at) const {
-        return (loadLoose(lowers[0] + at) <= upper[0]) & (lower[0] <= loadLoose(uppers[0] + at)) &
-               (loadLoose(lowers[1] + at) <= upper[1]) & (lower[1] <= loadLoose(uppers[1] + at)) &
-               (loadLoose(lowers[2] + at) <= upper[2]) & (lower[2] <= loadLoose(uppers[2] + at));
+    [[gnu::always_inline]] WideMask hits(std::int64_t at) const {
+        return (loadUnaligned(lowers[0] + at) <= upper[0]) & (lower[0] <= loadUnaligned(uppers[0] + at)) &
+               (loadUnaligned(lowers[1] + at) <= upper[1]) & (lower[1] <= loadUnaligned(uppers[1] + at)) &
+               (loadUnaligned(lowers[2] + at) <= upper[2]) & (lower[2] <= loadUnaligned(uppers[2] + at));
     }
 };
 
 /// Writes those of entries at .. at+3 that hit. In most fours nobody does, which one branch settles; one for
 /// each lane would not pay.
-CAROM_INLINE std::uint32_t* write(Lanes hit, std::int64_t at, std::uint32_t* to) {
+CAROM_INLINE std::uint32_t* write(WideMask hit, std::int64_t at, std::uint32_t* to) {
     if (!anyLane(hit)) return to;
     for (int lane = 0; lane < wideLanes; ++lane) {
         *to = static_cast<std::uint32_t>(at + lane);
@@ -87,7 +75,7 @@ CAROM_WIDE std::size_t overlapping(const BoxColumns& columns, const Aabb& box,
     for (const BoxRange& range : ranges) {
         std::int64_t j = range.begin;
         for (; j + blockSize <= range.end; j += blockSize) {
-            Lanes any{};
+            WideMask any{};
             for (std::int64_t k = 0; k < blockSize; k += wideLanes) any |= comparison.hits(j + k);
             if (!anyLane(any)) continue;
             for (std::int64_t k = 0; k < blockSize; k += wideLanes)
@@ -95,7 +83,7 @@ CAROM_WIDE std::size_t overlapping(const BoxColumns& columns, const Aabb& box,
         }
         for (; j + wideLanes <= range.end; j += wideLanes) next = write(comparison.hits(j), j, next);
         if (j < range.end) {
-            const Lanes inside = Lanes{0, 1, 2, 3} + j < std::int64_t(range.end);
+            const WideMask inside = WideMask{0, 1, 2, 3} + j < std::int64_t(range.end);
             next = write(comparison.hits(j) & inside, j, next);
         }
     }

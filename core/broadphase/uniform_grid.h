@@ -77,7 +77,7 @@ class UniformGrid final : public Broadphase {
     std::uint32_t m_inTable = 0;                ///< of m_placed
     std::uint64_t m_mask = 0;                   ///< slots - 1
     std::uint64_t m_strideY = 0, m_strideZ = 0; ///< Y and Z above
-    std::vector<Finds> m_finds;                 ///< of one thread each
+    std::vector<Finds> m_finds;                 ///< by part of the boxes
     PairOrder m_order;
 };
 

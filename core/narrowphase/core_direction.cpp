@@ -74,26 +74,21 @@ CAROM_INLINE Vec3 fromSideToRim(const Solid& a, const Solid& b, DirectionSource:
                      across / sine);
 }
 
-/// A vector in each of three lanes; the last lane is the third once more.
-struct ThreeVectors {
-    Wide x, y, z;
-
-    Vec3 operator[](int lane) const { return {x[lane], y[lane], z[lane]}; }
-};
-
+// Three directions at a time: in three lanes, the last of which stands in the fourth once more.
 CAROM_INLINE Wide threeOf(double one, double two, double three) { return Wide{one, two, three, three}; }
-CAROM_INLINE ThreeVectors columnsOf(const Mat3& m) {
+CAROM_INLINE Wide3 columnsOf(const Mat3& m) {
     return {threeOf(m(0, 0), m(0, 1), m(0, 2)), threeOf(m(1, 0), m(1, 1), m(1, 2)),
             threeOf(m(2, 0), m(2, 1), m(2, 2))};
 }
-CAROM_INLINE Wide dot(const Vec3& one, const ThreeVectors& other) {
+CAROM_INLINE Vec3 vectorIn(const Wide3& v, int lane) { return {v.x[lane], v.y[lane], v.z[lane]}; }
+CAROM_INLINE Wide3 inAllLanes(const Vec3& v) { return {wideOf(v.x()), wideOf(v.y()), wideOf(v.z())}; }
+CAROM_INLINE Wide dot(const Vec3& one, const Wide3& other) {
     return one.x() * other.x + one.y() * other.y + one.z() * other.z;
 }
-CAROM_INLINE Wide sizeOf(const Wide& a) { return larger(a, -a); }
 /// Solid::extent() of a cuboid along each of three directions.
-CAROM_INLINE Wide extentsOf(const Solid& cuboid, const ThreeVectors& directions) {
+CAROM_INLINE Wide extentsOf(const Solid& cuboid, const Wide3& directions) {
     const auto along = [&](Eigen::Index axis) -> Wide {
-        return cuboid.half[axis] * sizeOf(dot(cuboid.turn.col(axis), directions));
+        return cuboid.half[axis] * absolute(dot(cuboid.turn.col(axis), directions));
     };
     return along(0) + along(1) + along(2);
 }
@@ -176,7 +171,7 @@ class SolidPair {
     bool areCuboids() const { return !m_a.isCylinder && !m_b.isCylinder; }
     // The same directions in the same order, three at a time.
     CAROM_INLINE void considerFacesOfCuboids() {
-        const ThreeVectors ofA = columnsOf(m_a.turn), ofB = columnsOf(m_b.turn);
+        const Wide3 ofA = columnsOf(m_a.turn), ofB = columnsOf(m_b.turn);
         const Wide halfA = threeOf(m_a.half.x(), m_a.half.y(), m_a.half.z()),
                    halfB = threeOf(m_b.half.x(), m_b.half.y(), m_b.half.z());
         considerThree(ofA, halfA + extentsOf(m_b, ofA), [](std::uint8_t axis) -> DirectionSource {
@@ -187,15 +182,13 @@ class SolidPair {
         });
     }
     CAROM_INLINE void considerEdgesOfCuboids() {
-        const ThreeVectors ofB = columnsOf(m_b.turn);
+        const Wide3 ofB = columnsOf(m_b.turn);
         const Wide parallel = wideOf(std::numeric_limits<double>::infinity());
         for (std::uint8_t one = 0; one < 3; ++one) {
             const Vec3 edge = m_a.turn.col(one);
-            const ThreeVectors across{edge.y() * ofB.z - edge.z() * ofB.y,
-                                      edge.z() * ofB.x - edge.x() * ofB.z,
-                                      edge.x() * ofB.y - edge.y() * ofB.x};
-            const Wide sine = rootOf(across.x * across.x + across.y * across.y + across.z * across.z);
-            const ThreeVectors directions{across.x / sine, across.y / sine, across.z / sine};
+            const Wide3 across = cross(inAllLanes(edge), ofB);
+            const Wide sine = rootOf(dot(across, across));
+            const Wide3 directions{across.x / sine, across.y / sine, across.z / sine};
             const Wide extents = extentsOf(m_a, directions) + extentsOf(m_b, directions);
             considerThree(directions, sine > wideOf(smallestSine) ? extents : parallel,
                           [one](std::uint8_t other) -> DirectionSource {
@@ -204,12 +197,12 @@ class SolidPair {
         }
     }
     template<class SourceOf>
-    CAROM_INLINE void considerThree(const ThreeVectors& directions, const Wide& extents,
-                                    const SourceOf& sourceOf) {
-        const Wide between = dot(m_between, directions), gaps = sizeOf(between) - extents;
+    CAROM_INLINE void considerThree(const Wide3& directions, const Wide& extents, const SourceOf& sourceOf) {
+        const Wide between = dot(m_between, directions), gaps = absolute(between) - extents;
         for (int lane = 0; lane < 3; ++lane)
             if (gaps[lane] > m_gap + m_tolerance)
-                take(directions[lane], between[lane], gaps[lane], sourceOf(static_cast<std::uint8_t>(lane)));
+                take(vectorIn(directions, lane), between[lane], gaps[lane],
+                     sourceOf(static_cast<std::uint8_t>(lane)));
     }
     void consider(const Vec3& direction, DirectionSource source) {
         consider(direction, m_a.extent(direction) + m_b.extent(direction), source);

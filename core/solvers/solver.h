@@ -3,12 +3,12 @@
 
 #include "core/base/held_bytes.h"
 #include "core/base/sentence.h"
+#include "core/base/workers.h"
 #include "core/broadphase/broadphase.h"
 #include "core/dynamics/abilities.h"
 #include "core/dynamics/bodies.h"
 #include "core/dynamics/contact_constraint.h"
 #include "core/dynamics/ledger.h"
-#include "core/base/workers.h"
 #include "core/dynamics/smooth_motion.h"
 #include "core/dynamics/state.h"
 #include "core/dynamics/work_counters.h"

@@ -53,7 +53,7 @@ class BasePath {
     /// The passes of each division are multiplied by `passes`.
     BasePath(std::size_t bodies, int passes)
         : m_passes(passes), m_reach(bodies, 0.0), m_origin(bodies), m_block(bodies, noBlock),
-          m_lastBlock(bodies, noBlock), m_renewal(bodies, 0), m_raised(bodies, 0.0) {}
+          m_lastBlock(bodies, noBlock), m_renewal(bodies, 0) {}
 
     bool isEmpty() const { return m_isEmpty; }
     bool has(BodyIndex body) const { return isHere(m_block[body]); }
@@ -261,7 +261,7 @@ class BasePath {
     std::vector<Renewed> m_renewed;
     Scratch<std::vector<Renewed>> m_outrunners; // of these, before others that they may strike
     std::vector<std::uint32_t> m_renewal;       // by body: its number in m_renewed and 1, or 0
-    std::vector<double> m_raised;               // by body: what others give it by striking it, or 0 [m]
+    Scratch<std::vector<double>> m_raised;      // by body: what others give it by striking it, or 0 [m]
     Scratch<std::vector<BodyIndex>> m_struck;   // and those that had reach enough; some are named twice
     Scratch<std::vector<Present>> m_present;    // pairs of renewed bodies that are here
     Scratch<PairSort<Present>> m_sort;

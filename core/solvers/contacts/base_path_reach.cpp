@@ -222,9 +222,9 @@ double BasePath::kickOf(const SteppedInput& input, BodyIndex body, BodyIndex str
 // Extends the reach of bodies that one of these may strike, as prepare() would: all strike with the reach
 // that they have by themselves.
 void BasePath::findStruck(const SteppedInput& input, double time, double skin, const Neighbours& neighbours) {
-    const std::size_t outrun = m_renewed.size();
+    m_raised.resize(input.bodies.count(), 0.0);
     m_struck.clear();
-    input.workers.forLists(outrun, fewSearched, m_struck,
+    input.workers.forLists(m_renewed.size(), fewSearched, m_struck,
                            [&](std::size_t begin, std::size_t end, std::vector<BodyIndex>& struck) {
                                for (std::size_t n = begin; n < end; ++n)
                                    strikeAround(input, m_renewed[n], time, skin, neighbours, struck);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/dynamics/bodies.h"
 #include "core/base/workers.h"
+#include "core/dynamics/bodies.h"
 #include "core/dynamics/state.h"
 #include "core/solvers/contacts/neighbours.h"
 

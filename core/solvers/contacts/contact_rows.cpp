@@ -187,7 +187,7 @@ struct Frames {
 CAROM_INLINE void gatherPoint(const std::array<CarriedPoint*, wideLanes>& points, std::size_t offset,
                               std::array<Wide, 4>& to) {
     for (std::size_t lane = 0; lane < wideLanes; ++lane)
-        __builtin_memcpy(&to[lane], points[lane]->onA.data() + offset, sizeof(Wide));
+        to[lane] = loadUnaligned(points[lane]->onA.data() + offset);
     transpose(to[0], to[1], to[2], to[3]);
 }
 

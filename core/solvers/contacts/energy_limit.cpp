@@ -37,10 +37,7 @@ using Four = std::array<std::uint32_t, wideLanes>;
 using List = std::span<const std::uint32_t>;
 
 CAROM_INLINE void put(const Wide& four, std::size_t count, double* to) {
-    if (count >= wideLanes) {
-        __builtin_memcpy(to, &four, sizeof(Wide));
-        return;
-    }
+    if (count >= wideLanes) return storeUnaligned(to, four);
     for (std::size_t lane = 0; lane < count; ++lane) to[lane] = four[static_cast<int>(lane)];
 }
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/dynamics/contact_constraint.h"
 #include "core/base/workers.h"
+#include "core/dynamics/contact_constraint.h"
 #include "core/dynamics/work_counters.h"
+#include "core/shapes/manifold.h"
 #include "core/solvers/contacts/candidates.h"
 #include "core/solvers/contacts/manifolds.h"
-#include "core/shapes/manifold.h"
 #include "core/solvers/contacts/refinement.h"
 
 #include <algorithm>

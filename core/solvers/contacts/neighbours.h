@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/workers.h"
 #include "core/broadphase/box_blocks.h"
 #include "core/broadphase/broadphase.h"
 #include "core/dynamics/bodies.h"
-#include "core/base/workers.h"
 #include "core/dynamics/state.h"
 #include "core/solvers/contacts/course.h"
 #include "core/solvers/contacts/meetings.h"

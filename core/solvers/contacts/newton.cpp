@@ -107,7 +107,7 @@ NewtonReport NewtonSolver::solve(ContactProblem& problem, double tolerance, doub
     double whole = std::numeric_limits<double>::infinity(), least = whole;
     bool first = true;
     int most = mostSteps, vain = 0;
-    double kappaLimit = kappaMost;
+    double kappaLimit = kappaMost; // below a κ at which an inner problem has failed
     for (int round = 0; round < mostRounds; ++round) {
         if (m_work >= mostWork) {
             takeBest(problem, report);

@@ -135,7 +135,9 @@ class NewtonSolver {
     ProblemUnits m_units; // that H is written in, and its pivots are chosen in
     std::vector<BlockEdge> m_edges;
     std::vector<std::pair<Vec3, Vec2>> m_first; // by row: the impulses of the start
-    std::vector<Vec6> m_gradient, m_step, m_saved, m_best, m_solved;
+    std::vector<Vec6> m_gradient, m_step, m_saved;
+    std::vector<Vec6> m_best;   // velocities of the least error of an inner problem
+    std::vector<Vec6> m_solved; // and those of the inner problem that was solved last
     BlockMatrix m_matrix;
 };
 

@@ -2,10 +2,10 @@
 #pragma once
 
 #include "core/base/scratch.h"
+#include "core/base/workers.h"
 #include "core/dynamics/energy.h"
 #include "core/dynamics/forced_steps.h"
 #include "core/dynamics/ledger.h"
-#include "core/base/workers.h"
 #include "core/dynamics/work_counters.h"
 #include "core/solvers/contacts/ball_rows.h"
 #include "core/solvers/contacts/contact_rows.h"

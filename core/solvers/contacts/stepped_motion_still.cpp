@@ -31,13 +31,12 @@ CAROM_WIDE std::pair<std::size_t, double> sumOfHeld(std::span<const double> dept
     Wide count{}, deepest{};
     std::size_t i = 0;
     for (; i + wideLanes <= depths.size(); i += wideLanes) {
-        Wide depth;
-        __builtin_memcpy(&depth, &depths[i], sizeof(Wide));
+        const Wide depth = loadUnaligned(&depths[i]);
         count += depth >= zero ? one : zero;
         deepest = larger(deepest, depth);
     }
     std::size_t held = static_cast<std::size_t>(count[0] + count[1] + count[2] + count[3]);
-    double most = std::max(std::max(deepest[0], deepest[1]), std::max(deepest[2], deepest[3]));
+    double most = largestLane(deepest);
     for (; i < depths.size(); ++i) {
         held += depths[i] >= 0 ? 1 : 0;
         most = std::max(most, depths[i]);

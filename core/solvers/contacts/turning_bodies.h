@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/base/scratch.h"
-#include "core/dynamics/bodies.h"
 #include "core/base/workers.h"
+#include "core/dynamics/bodies.h"
 #include "core/dynamics/state.h"
 #include "core/math/types.h"
 #include "core/solvers/contacts/solver_body.h"

@@ -14,17 +14,6 @@
 
 namespace carom {
 
-struct Wide3 {
-    Wide x, y, z;
-};
-
-CAROM_INLINE Wide3 operator+(const Wide3& a, const Wide3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-CAROM_INLINE Wide3 operator-(const Wide3& a, const Wide3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-CAROM_INLINE Wide3 operator*(const Wide& a, const Wide3& b) { return {a * b.x, a * b.y, a * b.z}; }
-CAROM_INLINE Wide dot(const Wide3& a, const Wide3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-CAROM_INLINE Wide3 cross(const Wide3& a, const Wide3& b) {
-    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
 CAROM_INLINE Wide3 load(const std::array<Wide, 3>& from) { return {from[0], from[1], from[2]}; }
 CAROM_INLINE void store(std::array<Wide, 3>& to, const Wide3& from) { to = {from.x, from.y, from.z}; }
 
@@ -157,17 +146,5 @@ CAROM_INLINE void apply(Motion& motion, const Wide3& arm, const Wide3& p, double
     motion.velocity = motion.velocity + (factor * motion.inverseMass) * p;
     motion.spin = motion.spin + factor * change;
 }
-
-/// Whether a comparison holds in some lane.
-CAROM_INLINE bool anyLane(const WideMask& is) {
-    const auto two = __builtin_shufflevector(is, is, 0, 1) | __builtin_shufflevector(is, is, 2, 3);
-    return (two[0] | two[1]) != 0;
-}
-CAROM_INLINE bool anyLane(const Wide& a) { return anyLane(a != Wide{}); }
-/// What is largest of the four.
-CAROM_INLINE double largestLane(const Wide& a) {
-    return std::max(std::max(a[0], a[1]), std::max(a[2], a[3]));
-}
-CAROM_INLINE Wide absolute(const Wide& a) { return larger(a, -a); }
 
 } // namespace carom

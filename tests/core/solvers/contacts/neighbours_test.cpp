@@ -6,10 +6,10 @@
 #include "core/math/random.h"
 #include "core/solvers/contacts/neighbours.h"
 
-#include <array>
 #include <QTest>
 
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <span>
 #include <string>
