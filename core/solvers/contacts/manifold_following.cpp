@@ -97,10 +97,12 @@ CAROM_WIDE void follow(const Solids& solids, PersistentManifold& manifold) {
     manifold.normalInB = inB;
 }
 
-bool staysInPlace(const Bodies& bodies, const PersistentManifold& manifold) {
+bool staysInPlace(const Bodies& bodies, const PersistentManifold& manifold, double turned) {
     const Shape &a = bodies.shape[manifold.pair.a], &b = bodies.shape[manifold.pair.b];
     if (isWall(a) || isWall(b)) return std::holds_alternative<Cuboid>(isWall(a) ? b : a);
-    return manifold.source.kind != Kind::Other && (manifold.rollsA | manifold.rollsB) == 0;
+    if (manifold.source.kind == Kind::Other || (manifold.rollsA | manifold.rollsB) != 0) return false;
+    const bool isCylinder = std::holds_alternative<Cylinder>(a) || std::holds_alternative<Cylinder>(b);
+    return !(isCylinder && manifold.count > 2) || turned <= rowsCapAngle;
 }
 
 // Compares the places at the contact, not the centres: the centre of a large body moves far when it turns a

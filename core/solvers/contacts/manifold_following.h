@@ -29,9 +29,13 @@ void follow(const Solids& solids, PersistentManifold& manifold);
 /// smaller one's size, and have turned by this angle [rad], together: gaps are then off by 2e-4 of it. At
 /// half, a heap of cuboids costs a twentieth more; at twice it costs no less, and points lag twice as far.
 inline constexpr double rowsWithin = 0.02, rowsAngle = 0.02;
+/// The same angle where the cap of a cylinder lies on a face: the rim between two of its four points comes
+/// down by (1 − 1/√2) r φ, which is 2e-4 r as well. At the angle of the others, discs that rock flat overlap
+/// three times as far; heaps cost as much at either.
+inline constexpr double rowsCapAngle = 7e-4;
 /// Whether the points of a contact and its normal stay where they are on both bodies to first order while
-/// these move a little: not where the side or the rim of a cylinder rolls.
-bool staysInPlace(const Bodies& bodies, const PersistentManifold& manifold);
+/// these move a little and turn by that angle [rad]: not where the side or the rim of a cylinder rolls.
+bool staysInPlace(const Bodies& bodies, const PersistentManifold& manifold, double turned);
 /// Whether two bodies, the smaller of which is of that size [m], have slid and turned by so little since the
 /// points were found that these hold. `orientation` is that of B, seen from A.
 bool holds(const Solids& solids, const PersistentManifold& manifold, const Quat& orientation, double size);

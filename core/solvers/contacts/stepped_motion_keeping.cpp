@@ -9,7 +9,8 @@
 //
 // Rows foresee gaps along the velocities of both bodies, with the arms and the normal that they were made
 // with. While a pair has turned by φ and has slid by s since, its gap is off by r φ²/2, and its points are
-// off by s. So a pair keeps its rows while both are small, and what a look costs falls with what moves.
+// off by s; the rim of a cylinder's cap, held at four points, by (1 − 1/√2) r φ. So a pair keeps its rows
+// while these are small, and what a look costs falls with what moves.
 // Points without rows are watched: they get rows where they come near (nearPoints). A frame begins without
 // rows, as a world does that is restored from a checkpoint.
 //
@@ -38,7 +39,7 @@ void SteppedMotion::keepRows(const SteppedInput& input, const Manifolds& manifol
         const double moved = (a.moved + b.moved) / m_laws[entry].size, turned = a.turned + b.turned;
         if (moved <= PersistentManifold::keptWithin && turned <= PersistentManifold::keptAngle) return true;
         return moved <= rowsWithin && turned <= rowsAngle &&
-               staysInPlace(input.bodies, manifolds[m_entries[entry].place]);
+               staysInPlace(input.bodies, manifolds[m_entries[entry].place], turned);
     };
     m_rowState.assign(m_entries.size(), Rows::None);
     m_rowOf.resize(m_entries.size());
