@@ -118,6 +118,7 @@ bool IslandMotion::insertPoint(std::uint32_t index, const ContactConstraint& poi
         const std::uint32_t place = pair.first + pair.count++;
         m_contacts.points.insert(m_contacts.points.begin() + place, point);
         m_pairOf.insert(m_pairOf.begin() + place, index);
+        for (std::uint32_t& number : m_rowPoint) number += number >= place ? 1 : 0;
         for (std::uint32_t k = index + 1; k < m_contacts.pairs.size(); ++k) ++m_contacts.pairs[k].first;
         return true;
     }
