@@ -467,7 +467,7 @@ double ContactRows::moveStart() {
     Wide deepest{};
     for (RowPoint& row : points()) {
         row.start = row.gap;
-        deepest = larger(deepest, -row.gap);
+        deepest = larger(deepest, row.massNormal > 0 ? -row.gap : Wide{}); // others are empty
     }
     return largestLane(deepest);
 }

@@ -37,12 +37,6 @@ constexpr bool fromTop = true;
 /// they are computed anew twice as often.
 constexpr double mostChange = 0.25;
 
-/// Contacts of a body are found anew within a look when its rotation may have moved a point of its surface
-/// off the line that the rows foresee by this part of its half thickness, r φ²/2 for a rotation of φ. At
-/// half, coins that spin fast sink in by three fifths of what they do, at twice by a third more; 2 % more or
-/// fewer contacts are found.
-constexpr double turnedError = 0.0025;
-
 /// Contacts of balls may be stiffer, because balls do not rock on faces (velocity_solve.h).
 StepSettings forBalls(StepSettings settings) {
     settings.hardness *= 0.54 / StepSettings{}.hardness;
@@ -120,10 +114,7 @@ void SteppedMotion::addIsland(const SteppedInput& input, std::span<const BodyInd
         m_moved.emplace_back();
         m_places.push_back({arrayOf(input.state.pose[body].position)});
         const Shape& shape = input.bodies.shape[body];
-        m_turnable.push_back({isSphere(input.bodies, body) ? std::numeric_limits<double>::infinity()
-                                                           : 2 * turnedError * halfThicknessOf(shape) /
-                                                                 input.bodies.boundingRadius[body],
-                              std::holds_alternative<Cylinder>(shape)});
+        m_turnable.push_back(turnableOf(shape, input.bodies.boundingRadius[body]));
         m_turning.add(input.bodies, body, input.state);
         m_island.push_back(island);
         m_slab.push_back(0);
@@ -197,6 +188,7 @@ SteppedReport SteppedMotion::advance(const SteppedInput& input, Manifolds& manif
     if (input.ledger != nullptr) rememberBefore(input);
     m_step = part * m_substep / (m_division.looks * m_division.steps);
     if (input.isFirst) m_rows.begin(m_bodies.size(), immobile); // a checkpoint has none
+    for (Turnable& turnable : m_turnable) turnable.most = turnable.elsewhere;
     for (int k = 0; k < m_division.looks; ++k) {
         look(input, m_step * m_division.steps, manifolds, report);
         for (int i = 0; i < m_division.steps; ++i) {

@@ -319,11 +319,6 @@ class SteppedMotion {
         Vec3 came = Vec3::Zero(), comes = Vec3::Zero(); ///< its centre [m]
         double turned = 0, turns = 0;                   ///< its surface at most, beyond its centre [m]
     };
-    /// How far a body may turn until its contacts are no longer where they were found.
-    struct Turnable {
-        double most = 0;      ///< squared [rad²]
-        bool hasAxis = false; ///< turning about its axis moves no contact
-    };
     /// A body that is moved ahead, and where it is.
     struct Foreseen {
         std::uint32_t number = 0;
@@ -406,6 +401,7 @@ class SteppedMotion {
     void addRows(const ManifoldInput& here, Manifolds& manifolds, Workers& workers);
     PairInput rowOf(const Bodies& bodies, const Placed& placed, const PersistentManifold& manifold);
     void setRow(const ManifoldInput& here, const Placed& placed, Manifolds& manifolds);
+    void noteCap(const Seen& seen, const PersistentManifold& manifold);
     PairInput inputOf(const Bodies& bodies, std::uint32_t entry);
     std::uint32_t frameOf(BodyIndex body, std::uint32_t number, bool turns);
     void findContacts(const SteppedInput& input, double duration, std::span<const std::uint32_t> pairs,

@@ -247,6 +247,7 @@ void SteppedMotion::addRows(const ManifoldInput& here, Manifolds& manifolds, Wor
             const LanePacker::Place old = hasRows ? oldRowsOf(entry) : LanePacker::Place{};
             const bool isAgain = hasRows && m_rows.placeAgain(old, count);
             if (hasRows && !isAgain) m_rows.remove(old);
+            if (m_division.looks > 1) noteCap(seen, manifolds[m_entries[entry].place]);
             m_placed.push_back({isAgain ? old : m_rows.placeCarried(seen.a, seen.b, count, entry),
                                 seen.number, entry, frameOf(a, seen.a, !seen.isRound),
                                 frameOf(b, seen.b, !seen.isRound), seen.near, isAgain});
@@ -268,6 +269,13 @@ void SteppedMotion::addRows(const ManifoldInput& here, Manifolds& manifolds, Wor
         else
             m_rows.addRolling(pair, placed.place, m_bodies);
     }
+}
+
+// Cylinders that stand on a cap may turn less until the next look, where there are several in a substep:
+// in larger islands that costs more than it gains.
+void SteppedMotion::noteCap(const Seen& seen, const PersistentManifold& manifold) {
+    if (manifold.count <= 2) return;
+    for (const std::uint32_t number : {seen.a, seen.b}) m_turnable[number].most = m_turnable[number].onCap;
 }
 
 BodyFrame SteppedMotion::frameOf(const ManifoldInput& here, const Framed& framed) const {

@@ -6,6 +6,9 @@
 #include "core/solvers/contacts/wide_bodies.h"
 
 #include <algorithm>
+#include <limits>
+#include <numbers>
+#include <variant>
 
 namespace carom {
 namespace {
@@ -14,7 +17,24 @@ namespace {
 /// saves; at twice, islands of some hundred bodies are turned by one.
 constexpr std::size_t fewTurning = 256;
 
+/// Contacts of a body are found anew within a look when its rotation may have moved a point of its surface
+/// off the line that the rows foresee by this part of its half thickness, r φ²/2 for a rotation of φ. At
+/// half, coins that spin fast sink in by three fifths of what they do, at twice by a third more; 2 % more or
+/// fewer contacts are found. Where a cap lies on a face, the rim between two of its four points comes down by
+/// (1 − 1/√2) r φ.
+constexpr double turnedError = 0.0025, betweenPoints = 1 - 0.5 * std::numbers::sqrt2;
+
 } // namespace
+
+Turnable turnableOf(const Shape& shape, double radius) {
+    constexpr double any = std::numeric_limits<double>::infinity();
+    if (std::holds_alternative<Sphere>(shape)) return {any, any, any, false};
+    const double most = turnedError * halfThicknessOf(shape), far = 2 * most / radius;
+    const Cylinder* const cylinder = std::get_if<Cylinder>(&shape);
+    if (cylinder == nullptr) return {far, far, far, false};
+    const double onCap = most / (betweenPoints * cylinder->radius);
+    return {far, far, std::min(far, onCap * onCap), true};
+}
 
 void TurningBodies::add(const Bodies& bodies, BodyIndex body, const State& state) {
     /// The largest angle of one composition of free_rotation.h where the moments differ [rad]; its error is

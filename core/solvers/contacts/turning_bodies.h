@@ -26,6 +26,16 @@
 
 namespace carom {
 
+/// How far a body may turn until its contacts are no longer where they were found, squared [rad²].
+struct Turnable {
+    double most = 0;      ///< now: one of these
+    double elsewhere = 0; ///< not on a cap
+    double onCap = 0;     ///< of a cylinder that stands on it
+    bool hasAxis = false; ///< turning about its axis moves no contact
+};
+/// Of a shape with this bounding radius [m].
+Turnable turnableOf(const Shape& shape, double radius);
+
 class TurningBodies {
   public:
     /// Half of the angle [rad] is what the series are of.

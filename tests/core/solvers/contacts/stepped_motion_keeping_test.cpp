@@ -91,6 +91,29 @@ class SteppedMotionKeepingTest : public QObject {
         }
         QVERIFY2(deepest < most, qPrintable(QStringLiteral("%1 of the radius").arg(deepest)));
     }
+
+    // A disc that slaps down on the floor turns by as much as it leans in a few steps: what strikes is a
+    // place of the rim between the points that were found.
+    void discThatSlapsDownStaysOutOfTheFloor() {
+        constexpr double radius = 0.18, height = 0.14, lean = 0.056, spin = 12, most = 3e-3; // of the radius
+        double deepest = 0;
+        for (int heading = 0; heading < 16; ++heading) {
+            const double angle = heading * std::numbers::pi / 32;
+            const Vec3 axis(std::cos(angle), 0, std::sin(angle));
+            Body disc = test::cylinder(radius, height, 1,
+                                       {0, 0.5 * height * std::cos(lean) + radius * std::sin(lean), 0});
+            disc.pose.orientation = fromRotationVector(lean * axis);
+            disc.angularVelocity = -spin * axis;
+            disc.velocity.y() = -0.5;
+            test::Entered world(test::sceneOf({test::floorOf(0.3), disc}, test::downwards()));
+            for (int substep = 0; substep < 4 * test::substeps; ++substep) {
+                world.step(substep % test::substeps == 0);
+                for (const TouchingPair& touching : touchingPairs(world.bodies, world.state))
+                    deepest = std::max(deepest, -touching.manifold.deepest().separation / radius);
+            }
+        }
+        QVERIFY2(deepest < most, qPrintable(QStringLiteral("%1 of the radius").arg(deepest)));
+    }
 };
 
 } // namespace carom
