@@ -18,11 +18,6 @@ namespace {
 /// get each other's.
 constexpr double sameWithin = 0.05;
 
-/// Rounding error of a gap, relative to the largest coordinate: a gap is computed from several coordinates.
-/// At a quarter, bodies far from the origin that rest are taken for apart in some steps; at ten times, gaps
-/// near the origin are resolved to a digit less.
-constexpr double coordinateRounding = 4 * std::numeric_limits<double>::epsilon();
-
 Mat3 frameAlong(const Vec3& normal) {
     const Tangents tangents = tangentsOf(normal);
     Mat3 frame;

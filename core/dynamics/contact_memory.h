@@ -5,6 +5,7 @@
 #include "core/dynamics/contact_constraint.h"
 #include "core/dynamics/state.h"
 
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -14,6 +15,11 @@
 // are kept in world coordinates, since tangents turn with the normal.
 
 namespace carom {
+
+/// Rounding error of a gap, relative to the largest coordinate: a gap is computed from several coordinates.
+/// At a quarter, bodies far from the origin that rest are taken for apart in some steps; at ten times, gaps
+/// near the origin are resolved to a digit less.
+inline constexpr double coordinateRounding = 4 * std::numeric_limits<double>::epsilon();
 
 /// The coefficients of the contact law of two bodies: the smaller restitution, the geometric mean of
 /// friction, the larger rolling resistance.

@@ -49,8 +49,9 @@ SolverReport Contacts::move(const SolverInput& input) {
         coverMembers(input);
         findContacts(input);
     }
+    m_balls.find(input, m_settings, m_islands, m_found.set().pairs, m_found.canMeet());
     m_refinement.choose({input.bodies, input.state, m_islands, m_candidates.free(), m_found.canMeet(),
-                         m_joins, input.gravity, input.substep, input.part, input.parts},
+                         m_joins, m_balls.isOne(), input.gravity, input.substep, input.part, input.parts},
                         budget());
     m_work.islands = m_islands.count() + m_base.islands() + m_flight.bodies().size();
     for (const Refinement::Choice& choice : m_refinement.refined())
@@ -186,15 +187,37 @@ void Contacts::moveRefined(const SolverInput& input, SolverReport& report) {
     report.maxPenetration = std::max(motion.maxPenetration, m_sleeping.deepest());
     report.residual = motion.residual;
     std::swap(m_contacts, m_kept);
+    moveBalls(input, report);
     report.coneViolation = std::max(coneViolationOf(m_contacts), coneViolationOf(m_sleeping.contacts()));
     if (input.ledger != nullptr) m_sleeping.record(input.bodies, input.gravity, input.substep, *input.ledger);
     if (!m_settings.resting) return;
     const bool isLast = input.part + 1 == input.parts; // flights expect those that were awake to stay so
     if (isLast)
         for (const std::uint32_t island : m_scheduler.still()) fallAsleep(m_islands[island].bodies);
+    for (const BallsOnWalls::Ball& ball : m_balls.balls()) {
+        if (ball.isStill && isLast) fallAsleep(m_islands[ball.island].bodies);
+        if (ball.lies) sleepIfCreeping(input, m_islands[ball.island], isLast);
+    }
     for (const std::uint32_t island : m_scheduler.finished())
         sleepIfCreeping(input, m_islands[island], isLast);
     if (isLast) m_sleeping.exchange(input.bodies, m_contacts);
+}
+
+// Those that lie on a wall keep their contacts, with the forces, at the end of the frame.
+void Contacts::moveBalls(const SolverInput& input, SolverReport& report) {
+    const std::span<const ContactPair> pairs = m_found.set().pairs;
+    m_balls.move(input, m_settings, pairs);
+    report.contacts += m_balls.balls().size();
+    for (const BallsOnWalls::Ball& ball : m_balls.balls()) {
+        m_found.removeManifolds({&ball.pair, 1});
+        if (!ball.lies || input.part + 1 < input.parts) continue;
+        const std::size_t first = m_contacts.points.size();
+        collideInto(input.bodies, input.state, pairs[ball.pair], {}, m_contacts);
+        for (ContactConstraint& point : std::span(m_contacts.points).subspan(first))
+            point.force = point.frame * (pairs[ball.pair].b == ball.body ? ball.force : Vec3(-ball.force));
+    }
+    if (!std::ranges::is_sorted(m_contacts.pairs, {}, &ContactPair::bodies))
+        std::ranges::sort(m_contacts.pairs, {}, &ContactPair::bodies);
 }
 
 // What creeps within what the tolerance leaves is at rest.

@@ -7,6 +7,7 @@
 #include "core/dynamics/contact_memory.h"
 #include "core/shapes/manifold.h"
 #include "core/solvers/coasting.h"
+#include "core/solvers/contacts/balls_on_walls.h"
 #include "core/solvers/contacts/base_path.h"
 #include "core/solvers/contacts/calm.h"
 #include "core/solvers/contacts/candidates.h"
@@ -34,7 +35,8 @@
 //     neighbours   the pairs that can touch within it (neighbours.h, candidates.h)
 //     contacts     where they touch: carried along where they can be (manifolds.h)
 //     islands      bodies that contacts or springs join; solved independently (islands.h)
-//     refinement   which islands the budget allows to be solved to the tolerance, with impacts located
+//     closed form  islands of one ball and one wall (balls_on_walls.h)
+//     refinement   which of the others the budget allows to be solved to the tolerance, with impacts located
 //                  (refinement.h, island_motion.h)
 //     base path    all others, as long as their pairs are valid: sweeps at a cost known beforehand
 //                  (base_path.h); and what refinement has left of its substep where the budget ended
@@ -109,6 +111,7 @@ class Contacts final : public Solver {
     template<class Is>
     void sleepMarked(const SolverInput& input, const Is& isCalm);
     void moveRefined(const SolverInput& input, SolverReport& report);
+    void moveBalls(const SolverInput& input, SolverReport& report);
     void sleepIfCreeping(const SolverInput& input, const Island& island, bool isLast);
     void fallAsleep(std::span<const BodyIndex> bodies);
     void moveStepped(const SolverInput& input, SolverReport& report);
@@ -167,6 +170,7 @@ class Contacts final : public Solver {
     PairSort<Manifolds::Entry> m_sort;
     std::vector<SteppedMotion::Entry> m_unused;
     Islands m_islands;
+    BallsOnWalls m_balls;
     IslandScheduler m_scheduler;
     SteppedMotion m_rest; // of a substep that refinement left unfinished
     Coasting m_coasting;

@@ -60,26 +60,4 @@ void IslandMotion::recordPositionCorrection(const MotionInput& input, const Isla
                                 input.gravity.dot(m_correction.bodies[i].velocity.head<3>());
 }
 
-// Records the closed form of a lone ball. Along the normal, gravity did the work of the change of height, and
-// the wall the rest; tangentially, friction and gravity acted over the whole substep.
-void IslandMotion::recordBounce(const MotionInput& input, const Vec6& before, const Vec3& normal,
-                                double rise) {
-    Ledger& ledger = *input.ledger;
-    const ContactBody& body = m_problem.bodies.front();
-    const Vec3 gravity = (body.mass * input.substep) * input.gravity;
-    const Vec3 mean = 0.5 * (before + body.velocity).head<3>();
-    const double alongNormal = body.mass * input.gravity.dot(normal) * rise;
-    const Vec3 across = mean - normal.dot(mean) * normal;
-    LedgerEntry& fall = ledger[LedgerAccount::Gravity];
-    fall.energy += alongNormal + gravity.dot(across);
-    fall.momentum += gravity;
-
-    const double u0 = normal.dot(before.head<3>()), u1 = normal.dot(body.velocity.head<3>());
-    LedgerEntry& impacts = ledger[LedgerAccount::Restitution];
-    impacts.energy += 0.5 * body.mass * (u1 * u1 - u0 * u0) - alongNormal;
-    impacts.momentum += (body.mass * (u1 - u0) - normal.dot(gravity)) * normal;
-    m_mean.assign(1, 0.5 * (before + body.velocity));
-    recordRows(m_problem, m_mean, 1, LedgerAccount::Restitution, ledger);
-}
-
 } // namespace carom

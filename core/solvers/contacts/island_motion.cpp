@@ -79,7 +79,7 @@ void turnWithVelocity(const Bodies& bodies, BodyIndex body, const Vec3& rotation
 bool IslandMotion::advance(const MotionInput& input, const Island& island, const ContactSet& found) {
     load(input, island, found);
     const bool wereStill = island.links.empty() && areStill(input.state, island.bodies);
-    if (!bounce(input, island) && !integrateSprings(input, island)) move(input, island);
+    if (!integrateSprings(input, island)) move(input, island);
     report.work.operations += m_work;
     return wereStill && !m_isCorrected && m_left == 0 && areStill(input.state, island.bodies);
 }

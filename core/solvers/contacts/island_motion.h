@@ -107,7 +107,6 @@ class IslandMotion {
     double collideWork(const Bodies& bodies, const ContactPair& pair) const;
     void load(const MotionInput& input, const Island& island, const ContactSet& found);
     void move(const MotionInput& input, const Island& island);
-    bool bounce(const MotionInput& input, const Island& island);
     bool integrateSprings(const MotionInput& input, const Island& island);
     bool staysApart(const MotionInput& input) const;
     void recollide(const MotionInput& input);
@@ -179,7 +178,6 @@ class IslandMotion {
     void swapPushes();
     void recordTurning(const MotionInput& input, const Island& island);
     void recordPositionCorrection(const MotionInput& input, const Island& island);
-    void recordBounce(const MotionInput& input, const Vec6& before, const Vec3& normal, double rise);
 
     bool findStop(Braked& first) const;
     double speedOf(const Braked& braked) const;

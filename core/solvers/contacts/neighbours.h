@@ -70,7 +70,7 @@ struct UpAndDown {
     }
     /// All of them, ascending. No memory is taken while crowds are no larger than they were.
     void mergeInto(std::vector<Pair>& all) {
-        std::sort(down.begin(), down.end());
+        if (!std::is_sorted(down.begin(), down.end())) std::sort(down.begin(), down.end());
         all.reserve(up.capacity() + down.capacity());
         all.resize(up.size() + down.size());
         std::merge(up.begin(), up.end(), down.begin(), down.end(), all.begin());

@@ -120,6 +120,7 @@ double Refinement::findExpected(const RefinementInput& input) {
             m_base.push_back(i);
             continue;
         }
+        if (input.closed[i] != 0) continue;
         const bool meets = std::any_of(island.pairs.begin(), island.pairs.end(),
                                        [&](std::uint32_t pair) { return input.canMeet[pair] != 0; });
         if (!meets && island.links.empty()) {

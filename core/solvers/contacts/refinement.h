@@ -63,6 +63,7 @@ struct RefinementInput {
     std::span<const BodyIndex> members;    ///< bodies of the islands, ascending
     std::span<const std::uint8_t> canMeet; ///< by pair, 1: its bodies may touch within the substep
     std::span<const std::uint8_t> joins;   ///< by island, not 0: it touches bodies of the base path
+    std::span<const std::uint8_t> closed;  ///< by island, 1: it has a closed form and needs nothing
     Vec3 gravity;                          ///< [m/s²]
     double substep = 0;                    ///< [s]
     int part = 0, parts = 1;               ///< of the frame

@@ -53,9 +53,10 @@ struct Crowd {
         islands.find(bodies, bodies.mobileBodies, pairs, links);
         canMeet.resize(pairs.size(), 1);
         joins.assign(islands.count(), 0);
+        closed.assign(islands.count(), 0);
     }
     RefinementInput input(int part = 0, int parts = 1) const {
-        return {bodies,        state, islands, bodies.mobileBodies, canMeet, joins, {0, -earth, 0},
+        return {bodies,        state, islands, bodies.mobileBodies, canMeet, joins, closed, {0, -earth, 0},
                 test::substep, part,  parts};
     }
     /// Bodies and pairs of islands that have pairs: what a budget grows with.
@@ -72,6 +73,7 @@ struct Crowd {
     std::vector<BodyPair> links;
     std::vector<std::uint8_t> canMeet; // by pair
     std::vector<std::uint8_t> joins;   // by island
+    std::vector<std::uint8_t> closed;  // by island
     Islands islands;
 };
 
