@@ -76,8 +76,8 @@ void SteppedMotion::moveAhead(const SteppedInput& input, const Foreseen& body, d
     add(moved.turn, part * body.turn);
 }
 
-// Once a step is solved, such contacts are added to the others for the rest of it. Impacts are left alone:
-// they turn bodies once more when they rebound.
+// Once a step is solved, such contacts are added to the others for the rest of it. Of impacts, too: what one
+// side of a thin body strikes stops its other side, which would pass through.
 bool SteppedMotion::lookAhead(const SteppedInput& input, double duration, Manifolds& manifolds,
                               SteppedReport& report, bool isSolved) {
     foreseeTurned(input, duration);
@@ -90,11 +90,8 @@ bool SteppedMotion::lookAhead(const SteppedInput& input, double duration, Manifo
         for (std::uint32_t lane = 0; lane < wideLanes; ++lane) {
             const RowGroup& of = m_rows.groups()[group];
             if (of.source[lane] == ContactRows::noPair) continue;
-            const std::span<const RowPoint> rows = m_rows.points().subspan(of.firstPoint, of.points);
-            const bool isEmpty = rows.front().massNormal[lane] == 0;
+            const bool isEmpty = m_rows.points()[of.firstPoint].massNormal[lane] == 0;
             if (!isEmpty && (m_hasTurned[of.a[lane]] | m_hasTurned[of.b[lane]]) == 0) continue;
-            const auto isStruck = [lane](const RowPoint& row) { return row.approach[lane] > 0; };
-            if (isSolved && std::any_of(rows.begin(), rows.end(), isStruck)) continue;
             const bool adds = isSolved && !isEmpty;
             if (!adds && (m_changedGroups.empty() || m_changedGroups.back() != group))
                 m_changedGroups.push_back(group);
@@ -144,7 +141,14 @@ bool SteppedMotion::moveToNearest(const SteppedInput& input, const ManifoldInput
             nearest = gap;
             at = k / times;
         }
-    gapAt(at);
+    // Deep in a thin body its other side is nearer, and a contact with that pushes bodies through. So those
+    // that would overlap by then are moved apart along the normal of their contact, until they touch.
+    const double overlap = std::max(0.0, -gapAt(at));
+    const Foreseen* moved = turning[1] != nullptr ? turning[1] : turning[0];
+    if (moved == nullptr) return true;
+    const Vec3 shift = (moved == turning[1] ? overlap : -overlap) * normal;
+    input.state.pose[m_list[moved->number - 1]].position += shift;
+    add(m_moved[moved->number].shift, shift);
     return true;
 }
 
