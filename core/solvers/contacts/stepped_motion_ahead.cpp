@@ -25,6 +25,37 @@ namespace {
 constexpr double turnBetween = 0.25;
 constexpr double mostTimes = 16;
 
+bool beginsImpact(const RowPoint& row, std::size_t lane) { return row.approach[lane] > 0; }
+bool tookImpact(const RowPoint& row, std::size_t lane) {
+    return row.approach[lane] > 0 && row.normal[lane] > 0;
+}
+
+/// Whether is(row, lane) holds for any point of a pair.
+template<class Is>
+bool holdsForAny(const ContactRows& rows, const LanePacker::Place& place, const Is& is) {
+    const RowGroup& group = rows.groups()[place.group];
+    const std::span<const RowPoint> points = rows.points().subspan(group.firstPoint, group.points);
+    return std::any_of(points.begin(), points.end(),
+                       [&](const RowPoint& row) { return is(row, place.lane); });
+}
+
+/// Stores the closing speeds of a pair that is found late in a step, from the velocities before its impulses.
+void recordLate(ContactRows& rows, const LanePacker::Place& place, std::span<const BodyVelocity> before,
+                double resting) {
+    RowGroup& group = rows.groups()[place.group];
+    const std::size_t lane = place.lane;
+    if (!(group.restitution[lane] > 0)) return;
+    const BodyVelocity &a = before[group.a[lane]], &b = before[group.b[lane]];
+    for (RowPoint& row : rows.points().subspan(group.firstPoint, group.points)) {
+        const Vec3 velocityA = vectorOf(a.velocity) + vectorOf(a.spin).cross(laneOf(row.armA, lane));
+        const Vec3 velocityB = vectorOf(b.velocity) + vectorOf(b.spin).cross(laneOf(row.armB, lane));
+        const double closing = laneOf(group.normal, lane).dot(velocityA - velocityB);
+        if (!(row.massNormal[lane] > 0) || !(closing > resting)) continue;
+        row.approach[lane] = closing;
+        group.approaches = true;
+    }
+}
+
 } // namespace
 
 // Marks the bodies that will have turned, at the end of a step, so far since their contacts were found that
@@ -77,7 +108,9 @@ void SteppedMotion::moveAhead(const SteppedInput& input, const Foreseen& body, d
 }
 
 // Once a step is solved, such contacts are added to the others for the rest of it. Of impacts, too: what one
-// side of a thin body strikes stops its other side, which would pass through.
+// side of a thin body strikes stops its other side, which would pass through. Where such a contact takes a
+// part of the impact it rebounds as the others do; the rest of these are gone by then, because what rebounds
+// turns once more.
 bool SteppedMotion::lookAhead(const SteppedInput& input, double duration, Manifolds& manifolds,
                               SteppedReport& report, bool isSolved) {
     foreseeTurned(input, duration);
@@ -176,12 +209,15 @@ bool SteppedMotion::findAnew(const SteppedInput& input, const ManifoldInput& the
         return false;
     }
     if (adds) {
+        const bool isStruck = holdsForAny(m_rows, {group, lane}, &beginsImpact);
         PersistentManifold also = manifold;
         also.count = 0;
         also.torque.setZero(); // the rows that are there have it
         if (!closeManifold(there, m_entries[entry].margin, also)) return false;
         const PlacedManifold contact = placedAtLook(there, also);
         m_addedRows.push_back(m_rows.add(rowOf(there.bodies, entry, contact), entry, m_bodies));
+        if (isStruck)
+            recordLate(m_rows, m_addedRows.back(), m_free, 2 * there.duration * there.gravity.norm());
         return true;
     }
     const auto points = [&] {
@@ -206,10 +242,13 @@ bool SteppedMotion::findAnew(const SteppedInput& input, const ManifoldInput& the
     return true;
 }
 
-// After a step, whose last looks added them.
-void SteppedMotion::removeAdded() {
-    for (const LanePacker::Place& place : m_addedRows) m_rows.remove(place);
-    m_addedRows.clear();
+// When the step is solved; those that rebound, when they have.
+void SteppedMotion::removeAdded(bool hasRebounded) {
+    std::erase_if(m_addedRows, [&](const LanePacker::Place& place) {
+        if (!hasRebounded && holdsForAny(m_rows, place, &tookImpact)) return false;
+        m_rows.remove(place);
+        return true;
+    });
 }
 
 } // namespace carom
