@@ -345,8 +345,9 @@ void SteppedMotion::step(const SteppedInput& input, double duration, Manifolds& 
         if (report.residual <= input.tolerance) break;
     }
     limitEnergy(settings, input.workers, false);
+    removeAdded(false);
     if (bounces) rebound(settings, input.workers, report);
-    removeAdded();
+    removeAdded(true);
     if (!m_links.empty()) m_springLimit.keep(springIslands(input), 0, m_bodies);
     forAwake(input.workers, [&](std::uint32_t i) {
         input.state.velocity[m_list[i - 1]] = vectorOf(m_bodies[i].velocity);

@@ -431,7 +431,7 @@ class SteppedMotion {
     void moveAhead(const SteppedInput& input, const Foreseen& body, double part);
     bool lookAhead(const SteppedInput& input, double duration, Manifolds& manifolds, SteppedReport& report,
                    bool isSolved);
-    void removeAdded();
+    void removeAdded(bool hasRebounded);
     bool moveToNearest(const SteppedInput& input, const ManifoldInput& there,
                        const std::array<std::uint32_t, 2>& numbers, BodyPair pair, const Vec3& normal);
     double surfaceSpeed(const Bodies& bodies, std::uint32_t number) const;

@@ -25,6 +25,37 @@ namespace {
 constexpr double turnBetween = 0.25;
 constexpr double mostTimes = 16;
 
+bool beginsImpact(const RowPoint& row, std::size_t lane) { return row.approach[lane] > 0; }
+bool tookImpact(const RowPoint& row, std::size_t lane) {
+    return row.approach[lane] > 0 && row.normal[lane] > 0;
+}
+
+/// Whether is(row, lane) holds for any point of a pair.
+template<class Is>
+bool holdsForAny(const ContactRows& rows, const LanePacker::Place& place, const Is& is) {
+    const RowGroup& group = rows.groups()[place.group];
+    const std::span<const RowPoint> points = rows.points().subspan(group.firstPoint, group.points);
+    return std::any_of(points.begin(), points.end(),
+                       [&](const RowPoint& row) { return is(row, place.lane); });
+}
+
+/// Stores the closing speeds of a pair that is found late in a step, from the velocities before its impulses.
+void recordLate(ContactRows& rows, const LanePacker::Place& place, std::span<const BodyVelocity> before,
+                double resting) {
+    RowGroup& group = rows.groups()[place.group];
+    const std::size_t lane = place.lane;
+    if (!(group.restitution[lane] > 0)) return;
+    const BodyVelocity &a = before[group.a[lane]], &b = before[group.b[lane]];
+    for (RowPoint& row : rows.points().subspan(group.firstPoint, group.points)) {
+        const Vec3 velocityA = vectorOf(a.velocity) + vectorOf(a.spin).cross(laneOf(row.armA, lane));
+        const Vec3 velocityB = vectorOf(b.velocity) + vectorOf(b.spin).cross(laneOf(row.armB, lane));
+        const double closing = laneOf(group.normal, lane).dot(velocityA - velocityB);
+        if (!(row.massNormal[lane] > 0) || !(closing > resting)) continue;
+        row.approach[lane] = closing;
+        group.approaches = true;
+    }
+}
+
 } // namespace
 
 // Marks the bodies that will have turned, at the end of a step, so far since their contacts were found that
@@ -76,8 +107,10 @@ void SteppedMotion::moveAhead(const SteppedInput& input, const Foreseen& body, d
     add(moved.turn, part * body.turn);
 }
 
-// Once a step is solved, such contacts are added to the others for the rest of it. Impacts are left alone:
-// they turn bodies once more when they rebound.
+// Once a step is solved, such contacts are added to the others for the rest of it. Of impacts, too: what one
+// side of a thin body strikes stops its other side, which would pass through. Where such a contact takes a
+// part of the impact it rebounds as the others do; the rest of these are gone by then, because what rebounds
+// turns once more.
 bool SteppedMotion::lookAhead(const SteppedInput& input, double duration, Manifolds& manifolds,
                               SteppedReport& report, bool isSolved) {
     foreseeTurned(input, duration);
@@ -90,11 +123,8 @@ bool SteppedMotion::lookAhead(const SteppedInput& input, double duration, Manifo
         for (std::uint32_t lane = 0; lane < wideLanes; ++lane) {
             const RowGroup& of = m_rows.groups()[group];
             if (of.source[lane] == ContactRows::noPair) continue;
-            const std::span<const RowPoint> rows = m_rows.points().subspan(of.firstPoint, of.points);
-            const bool isEmpty = rows.front().massNormal[lane] == 0;
+            const bool isEmpty = m_rows.points()[of.firstPoint].massNormal[lane] == 0;
             if (!isEmpty && (m_hasTurned[of.a[lane]] | m_hasTurned[of.b[lane]]) == 0) continue;
-            const auto isStruck = [lane](const RowPoint& row) { return row.approach[lane] > 0; };
-            if (isSolved && std::any_of(rows.begin(), rows.end(), isStruck)) continue;
             const bool adds = isSolved && !isEmpty;
             if (!adds && (m_changedGroups.empty() || m_changedGroups.back() != group))
                 m_changedGroups.push_back(group);
@@ -144,7 +174,14 @@ bool SteppedMotion::moveToNearest(const SteppedInput& input, const ManifoldInput
             nearest = gap;
             at = k / times;
         }
-    gapAt(at);
+    // Deep in a thin body its other side is nearer, and a contact with that pushes bodies through. So those
+    // that would overlap by then are moved apart along the normal of their contact, until they touch.
+    const double overlap = std::max(0.0, -gapAt(at));
+    const Foreseen* moved = turning[1] != nullptr ? turning[1] : turning[0];
+    if (moved == nullptr) return true;
+    const Vec3 shift = (moved == turning[1] ? overlap : -overlap) * normal;
+    input.state.pose[m_list[moved->number - 1]].position += shift;
+    add(m_moved[moved->number].shift, shift);
     return true;
 }
 
@@ -172,12 +209,15 @@ bool SteppedMotion::findAnew(const SteppedInput& input, const ManifoldInput& the
         return false;
     }
     if (adds) {
+        const bool isStruck = holdsForAny(m_rows, {group, lane}, &beginsImpact);
         PersistentManifold also = manifold;
         also.count = 0;
         also.torque.setZero(); // the rows that are there have it
         if (!closeManifold(there, m_entries[entry].margin, also)) return false;
         const PlacedManifold contact = placedAtLook(there, also);
         m_addedRows.push_back(m_rows.add(rowOf(there.bodies, entry, contact), entry, m_bodies));
+        if (isStruck)
+            recordLate(m_rows, m_addedRows.back(), m_free, 2 * there.duration * there.gravity.norm());
         return true;
     }
     const auto points = [&] {
@@ -202,10 +242,13 @@ bool SteppedMotion::findAnew(const SteppedInput& input, const ManifoldInput& the
     return true;
 }
 
-// After a step, whose last looks added them.
-void SteppedMotion::removeAdded() {
-    for (const LanePacker::Place& place : m_addedRows) m_rows.remove(place);
-    m_addedRows.clear();
+// When the step is solved; those that rebound, when they have.
+void SteppedMotion::removeAdded(bool hasRebounded) {
+    std::erase_if(m_addedRows, [&](const LanePacker::Place& place) {
+        if (!hasRebounded && holdsForAny(m_rows, place, &tookImpact)) return false;
+        m_rows.remove(place);
+        return true;
+    });
 }
 
 } // namespace carom
