@@ -18,11 +18,9 @@ constexpr std::size_t fewRenewed = 4;
 /// A body whose reach is this many times what it needs gets a new one when a frame begins. At half, more
 /// bodies do; at twice, heaps that came to rest keep a fifth more pairs.
 constexpr double tooFar = 3;
-/// Bodies that one thread looks at least at; one takes some 30 ns. At half, waking a thread costs nearly what
-/// it saves; at twice, a thousand bodies are looked at by one.
-constexpr std::size_t fewBodies = 512;
-/// The same of those whose neighbours are looked at; one takes some .5 us.
-constexpr std::size_t fewSearched = 64;
+/// Bodies that one thread looks at least at, and at the neighbours of; and pairs that it looks at.
+constexpr std::size_t fewBodies = Workers::enoughOf(30), fewSearched = Workers::enoughOf(500),
+                      fewPairs = Workers::enoughOf(5);
 
 /// Bodies get new neighbours only where at least one mobile body in so many takes the base path, because
 /// those of all bodies may have to be found; else islands leave. At twice, a search for all is made for fewer
@@ -283,12 +281,16 @@ void BasePath::loadPairs(const SteppedInput& input, Neighbours& neighbours, Mani
             return isRenewed(entry) &&
                    !areWithin(input.bodies, input.state, entry.pair, marginOf(input, entry.pair));
         };
-        if (input.isFirst) block.drop(cannotMeet, manifolds, m_newNumbers);
-        block.forEachEntry([&](Entry& entry) {
-            if (!isRenewed(entry)) return;
-            entry.margin = std::max(entry.margin, marginOf(input, entry.pair));
-            m_present.push_back({entry.pair});
-        });
+        if (input.isFirst) block.drop(cannotMeet, manifolds, m_newNumbers, input.workers);
+        const std::span<Entry> entries = block.entries();
+        input.workers.forLists(entries.size(), fewPairs, static_cast<std::vector<Present>&>(m_present),
+                               [&](std::size_t begin, std::size_t end, std::vector<Present>& present) {
+                                   for (Entry& entry : entries.subspan(begin, end - begin)) {
+                                       if (!isRenewed(entry)) continue;
+                                       entry.margin = std::max(entry.margin, marginOf(input, entry.pair));
+                                       present.push_back({entry.pair});
+                                   }
+                               });
     }
     m_sort.sort(m_present, input.bodies.count());
     m_missing.entries.clear();

@@ -10,9 +10,8 @@
 namespace carom {
 namespace {
 
-/// Bodies that one thread turns at least; one takes some 30 ns. At half, waking a thread costs nearly what it
-/// saves; at twice, islands of some hundred bodies are turned by one.
-constexpr std::size_t fewTurning = 256;
+/// Bodies that one thread turns at least.
+constexpr std::size_t fewTurning = Workers::enoughOf(30);
 
 } // namespace
 
