@@ -9,7 +9,6 @@
 #include <cstdint>
 #include <exception>
 #include <mutex>
-#include <system_error>
 #include <thread>
 #include <utility>
 
@@ -53,10 +52,11 @@ bool changesSoon(const std::atomic<std::uint32_t>& number, std::uint32_t from) {
 class Workers::Team {
   public:
     explicit Team(std::size_t threads) {
+        m_threads.reserve(threads - 1);
         try {
             for (std::size_t thread = 1; thread < threads; ++thread)
                 m_threads.emplace_back([this, thread] { run(thread); });
-        } catch (const std::system_error&) { // the machine has no more: fewer do the work
+        } catch (const std::exception&) { // the machine has no more: fewer do the work
         }
     }
     ~Team() {

@@ -4,6 +4,7 @@
 #include "core/base/shared_extremes.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 // How far bodies on the base path may come, and the pairs that follow from it.
@@ -181,22 +182,21 @@ void BasePath::findOutrun(const SteppedInput& input, double time, double skin, c
         m_active.clear();
         for (const BodyIndex i : block.bodies())
             if (!neighbours.settled().has(i)) m_active.push_back(i);
-        m_isOutrun.resize(m_active.size());
+        m_needed.resize(m_active.size());
         input.workers.forRanges(m_active.size(), fewBodies, [&](std::size_t begin, std::size_t end) {
             for (std::size_t n = begin; n < end; ++n) {
                 const BodyIndex i = m_active[n];
                 m_room[i] = roomOf(input, i);
-                m_isOutrun[n] = neighbours.reach(i) > m_room[i] ? 1 : 0;
+                const bool isOutrun = neighbours.reach(i) > m_room[i];
+                const double reach = isOutrun || input.isFirst ? ownReach(input, i, time, skin, neighbours)
+                                                               : std::numeric_limits<double>::infinity();
+                m_needed[n] = {i, reach, !isOutrun};
             }
         });
-        for (std::size_t n = 0; n < m_active.size(); ++n) {
-            const BodyIndex i = m_active[n];
-            if (block.isMarked(i)) continue;
-            const bool isOutrun = m_isOutrun[n] != 0;
-            if (!isOutrun && !input.isFirst) continue;
-            const double reach = ownReach(input, i, time, skin, neighbours);
-            if (!isOutrun && m_reach[i] <= tooFar * reach) continue;
-            m_renewed.push_back({i, reach, !isOutrun});
+        for (const Renewed& needed : std::span<const Renewed>(m_needed)) {
+            const BodyIndex i = needed.body;
+            if (block.isMarked(i) || (needed.isNarrowed && m_reach[i] <= tooFar * needed.reach)) continue;
+            m_renewed.push_back(needed);
             m_renewal[i] = static_cast<std::uint32_t>(m_renewed.size());
         }
     }
@@ -274,8 +274,8 @@ void BasePath::loadPairs(const SteppedInput& input, Neighbours& neighbours, Mani
     m_present.clear();
     for (SteppedMotion& block : m_blocks) {
         if (block.isEmpty()) continue;
-        const auto isRenewed = [this](const Entry& entry) {
-            return m_renewal[entry.pair.a] != 0 || m_renewal[entry.pair.b] != 0;
+        const auto isRenewed = [renewal = m_renewal.data()](const Entry& entry) {
+            return (renewal[entry.pair.a] | renewal[entry.pair.b]) != 0;
         };
         const auto cannotMeet = [&](const Entry& entry) {
             return isRenewed(entry) &&

@@ -153,8 +153,9 @@ class SteppedMotion {
         numbers.going.clear();
         workers.forLists(m_entries.size(), Workers::enoughOf(5), numbers.going,
                          [&](std::size_t begin, std::size_t end, std::vector<std::uint32_t>& going) {
+                             const std::span<const Entry> entries = m_entries;
                              for (std::size_t i = begin; i < end; ++i)
-                                 if (is(m_entries[i])) going.push_back(static_cast<std::uint32_t>(i));
+                                 if (is(entries[i])) going.push_back(static_cast<std::uint32_t>(i));
                          });
         if (numbers.going.empty()) return;
         numbers.entries.assign(m_entries.size(), 0);
