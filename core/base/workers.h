@@ -10,10 +10,12 @@
 namespace carom {
 
 /// Threads for loops over independent bodies. Every element is computed by itself, so the bits do not depend
-/// on the number of threads or on the division into parts.
+/// on the number of threads or on the division into parts. One thread at a time calls these, and no part
+/// calls another loop of the same workers.
 class Workers {
   public:
     /// `threads` includes the caller; 1 never starts another, and no more start than there are processors.
+    /// They start with the first loop that is shared.
     explicit Workers(int threads);
     ~Workers();
     Workers(Workers&&) noexcept;
@@ -24,21 +26,26 @@ class Workers {
 
     int threads() const { return m_threads; }
 
+    /// How many elements are enough for a part if each takes so many nanoseconds: sharing a loop takes about
+    /// .3 us. At half, small loops gain little by it; at twice, loops over some hundred bodies have one part.
+    static constexpr std::size_t enoughOf(double nanoseconds) {
+        return static_cast<std::size_t>(std::max(1.0, 2000 / nanoseconds));
+    }
+
     /// Calls work(begin, end) for parts that together cover [0, count), each element once. There is one part
-    /// if there are fewer than twice `least` elements; no part has fewer than half as many.
+    /// if there are fewer than twice `least` elements; no part has fewer than that.
     template<class Work>
     void forRanges(std::size_t count, std::size_t least, const Work& work) {
-        if (m_threads == 1 || count < 2 * least)
-            work(std::size_t{0}, count);
-        else
-            shareRanges(count, least, {&work, [](const void* context, std::size_t begin, std::size_t end) {
-                                           (*static_cast<const Work*>(context))(begin, end);
-                                       }});
+        if (m_threads == 1 || count < 2 * least) return work(std::size_t{0}, count);
+        const std::size_t parts = partsOf(count, least);
+        forEach(parts, [&](std::size_t, std::size_t part) {
+            work(part * count / parts, (part + 1) * count / parts);
+        });
     }
     /// The same for elements that take as long as the motion of a free body.
     template<class Work>
     void forRanges(std::size_t count, const Work& work) {
-        forRanges(count, grain, work);
+        forRanges(count, enoughOf(5), work);
     }
 
     /// The same where parts find lists: work(begin, end, list) adds to one, and append(list) is called with
@@ -82,9 +89,9 @@ class Workers {
         if (m_threads == 1 || count < 2)
             for (std::size_t i = 0; i < count; ++i) work(std::size_t{0}, i);
         else
-            shareElements(count, {&work, [](const void* context, std::size_t thread, std::size_t i) {
-                                      (*static_cast<const Work*>(context))(thread, i);
-                                  }});
+            share(count, {&work, [](const void* context, std::size_t thread, std::size_t i) {
+                              (*static_cast<const Work*>(context))(thread, i);
+                          }});
     }
 
   private:
@@ -96,18 +103,11 @@ class Workers {
         const void* context = nullptr;
         void (*call)(const void* context, std::size_t, std::size_t) = nullptr;
     };
-    void shareRanges(std::size_t count, std::size_t least, Call work);
-    void shareElements(std::size_t count, Call work);
+    void share(std::size_t parts, Call work);
 
-    /// Bodies of a part at least. Advancing one takes about 5 ns and waking a thread some microseconds: at
-    /// half, small parts cost nearly what they save; at twice, scenes of some thousand bodies use fewer
-    /// threads.
-    static constexpr std::size_t grain = 2048;
-
-    struct Arena; // oneTBB is not included here: nearly every file includes this header and would take a
-                  // second longer to compile
+    class Team;
     int m_threads;
-    std::unique_ptr<Arena> m_arena;
+    std::unique_ptr<Team> m_team;
 };
 
 } // namespace carom

@@ -27,9 +27,8 @@ constexpr double slack = 1.002;
 // ... as long as indices stay below 2^40: far from the origin cells are widened to that. At 2^51 the slack
 // would be less than the rounding of an index, and pairs would be lost.
 constexpr double mostCells = 1.0995e12;
-// Boxes of which one thread finds the pairs, at least; one takes some .3 us. At half, waking a thread costs
-// nearly what it saves; at twice, some hundred boxes have one.
-constexpr std::size_t fewSearched = 256;
+// Boxes of which one thread finds the pairs, at least, and those that it puts into the table.
+constexpr std::size_t fewSearched = Workers::enoughOf(300), fewPlaced = Workers::enoughOf(10);
 
 double halfWidth(const Aabb& box) { return (0.5 * box.upper - 0.5 * box.lower).maxCoeff(); }
 Vec3 centreOf(const Aabb& box) { return 0.5 * box.lower + 0.5 * box.upper; } // cannot overflow
@@ -155,29 +154,31 @@ void UniformGrid::place(const BroadphaseInput& input) {
     m_starts.assign(slots + 2, 0); // shifted by one more while filling
     m_placed.resize(count);
     m_boxes.resize(count);
-    std::size_t atEnd = count;
-    for (std::size_t i = 0; i < count; ++i) {
-        const Aabb& box = input.boxes[i];
-        const std::uint8_t level = m_levelOf[exponentOf(halfWidth(box))];
-        if (level == loose) {
-            m_placed[--atEnd] = {static_cast<std::uint32_t>(i), loose};
-            m_boxes.set(atEnd, box);
-            m_slots[i] = noSlot;
-            continue;
+    const auto levelOf = [this](const Aabb& box) { return m_levelOf[exponentOf(halfWidth(box))]; };
+    input.workers->forRanges(count, fewPlaced, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const Aabb& box = input.boxes[i];
+            const std::uint8_t level = levelOf(box);
+            m_slots[i] =
+                level == loose
+                    ? noSlot
+                    : static_cast<std::uint32_t>(slotOf(cellOf(centreOf(box), m_levels[level]), level));
         }
-        const std::uint64_t slot = slotOf(cellOf(centreOf(box), m_levels[level]), level);
-        m_slots[i] = static_cast<std::uint32_t>(slot);
-        ++m_starts[slot + 2];
-    }
-    m_inTable = static_cast<std::uint32_t>(atEnd);
+    });
+    for (const std::uint32_t slot : m_slots)
+        if (slot != noSlot) ++m_starts[slot + 2];
     for (std::size_t slot = 2; slot < m_starts.size(); ++slot) m_starts[slot] += m_starts[slot - 1];
-    for (std::size_t i = 0; i < count; ++i) {
-        if (m_slots[i] == noSlot) continue;
-        const Aabb& box = input.boxes[i];
-        const std::uint32_t place = m_starts[m_slots[i] + 1]++;
-        m_placed[place] = {static_cast<std::uint32_t>(i), m_levelOf[exponentOf(halfWidth(box))]};
-        m_boxes.set(place, box);
-    }
+    std::size_t atEnd = count;
+    for (std::uint32_t i = 0; i < count; ++i)
+        m_placed[m_slots[i] == noSlot ? --atEnd : m_starts[m_slots[i] + 1]++].entry = i;
+    m_inTable = static_cast<std::uint32_t>(atEnd);
+    input.workers->forRanges(count, fewPlaced, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t place = begin; place < end; ++place) {
+            const Aabb& box = input.boxes[m_placed[place].entry];
+            m_placed[place].level = levelOf(box);
+            m_boxes.set(place, box);
+        }
+    });
 }
 
 UniformGrid::Cell UniformGrid::cellOf(const Vec3& point, const Level& level) {

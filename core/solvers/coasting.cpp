@@ -7,9 +7,8 @@
 namespace carom {
 namespace {
 
-/// Bodies that one thread moves, at least, at some 50 ns each. At half, waking a thread costs nearly what it
-/// saves; at twice, some hundred bodies are moved by one.
-constexpr std::size_t fewMoved = 256;
+/// Bodies that one thread moves, at least.
+constexpr std::size_t fewMoved = Workers::enoughOf(50);
 
 /// Of bodies whose energy of rotation a free rotation may change by rounding [J]: not of balls.
 double unevenSpinEnergy(const SolverInput& input, std::span<const BodyIndex> bodies) {

@@ -11,9 +11,8 @@
 namespace carom {
 namespace {
 
-/// Bodies that one thread copies, at least, at some 20 ns each. At half, waking a thread costs nearly what it
-/// saves; at twice, a thousand bodies have one.
-constexpr std::size_t fewCopied = 512;
+/// Bodies that one thread copies, at least.
+constexpr std::size_t fewCopied = Workers::enoughOf(20);
 
 class LocalSolver final : public Solver {
   public:

@@ -20,6 +20,9 @@ CAROM_INLINE Wide3 choose(const auto& where, const Wide3& one, const Wide3& othe
     return {where ? one.x : other.x, where ? one.y : other.y, where ? one.z : other.z};
 }
 
+/// Groups that one thread lists at least.
+constexpr std::size_t fewListed = Workers::enoughOf(3);
+
 /// The vectors of a group, from `radiusA` to the end of its row, and where they begin as doubles.
 constexpr std::size_t valuesOfGroup =
     (offsetof(BallGroup, row) + sizeof(BallRow) - offsetof(BallGroup, radiusA)) / sizeof(Wide);
@@ -163,21 +166,35 @@ void BallRows::clear() {
     m_heldDeepest = 0;
 }
 
-void BallRows::findLists() {
+void BallRows::findSolved() {
     m_lists.solved.clear();
     for (std::uint32_t i = 0; i < m_groups.size(); ++i)
         if (!m_groups[i].held) m_lists.solved.push_back(i);
-    listSolved();
+}
+
+void BallRows::findLists() {
+    findSolved();
+    listAfter(Workers::alone(), fewListed, [](std::span<const std::uint32_t>) {});
     m_lists.areKnown = true;
 }
 
-// Tells what is done with the groups that are not held.
-void BallRows::listSolved() {
-    m_lists.active.clear();
-    m_lists.watched.clear();
-    for (const std::uint32_t i : m_lists.solved) {
-        if (!m_groups[i].idle) m_lists.active.push_back(i);
-        if (m_groups[i].watched) m_lists.watched.push_back(i);
+// Tells what is done with the groups that are not held, after work(groups) for parts of them.
+template<class Work>
+void BallRows::listAfter(Workers& workers, std::size_t least, const Work& work) {
+    const std::span<const std::uint32_t> solved = m_lists.solved;
+    const std::span<Lists> parts = workers.forKeptLists(
+        solved.size(), least, m_parts, [&](std::size_t begin, std::size_t end, Lists& to) {
+            const std::span<const std::uint32_t> groups = solved.subspan(begin, end - begin);
+            work(groups);
+            for (const std::uint32_t i : groups) {
+                if (!m_groups[i].idle) to.active.push_back(i);
+                if (m_groups[i].watched) to.watched.push_back(i);
+            }
+        });
+    for (auto list : {&Lists::active, &Lists::watched}) {
+        std::swap(m_lists.*list, parts.front().*list);
+        for (const Lists& part : parts.subspan(1))
+            (m_lists.*list).insert((m_lists.*list).end(), (part.*list).begin(), (part.*list).end());
     }
 }
 
@@ -409,13 +426,13 @@ CAROM_WIDE void BallRows::markHeld() {
 
 void BallRows::refresh(std::span<const SolverBody> bodies, std::span<const BodyPlace> places, double duration,
                        const Vec3& gravity, Workers& workers) {
-    const std::span<const std::uint32_t> solved = lists().solved;
+    if (!m_lists.areKnown) findSolved();
     m_deepest = 0;
-    workers.forRanges(solved.size(), fewShared, [&](std::size_t begin, std::size_t end) {
-        raiseTo(m_deepest, refreshAll({solved.subspan(begin, end - begin), m_groups.data(), m_fixed.data(),
-                                       bodies.data(), places.data(), nullptr, duration, gravity}));
+    listAfter(workers, fewShared, [&](std::span<const std::uint32_t> groups) {
+        raiseTo(m_deepest, refreshAll({groups, m_groups.data(), m_fixed.data(), bodies.data(), places.data(),
+                                       nullptr, duration, gravity}));
     });
-    listSolved();
+    m_lists.areKnown = true;
 }
 
 bool BallRows::findStruck(std::span<const SolverBody> bodies, std::span<const BodyPlace> places,
@@ -428,7 +445,7 @@ bool BallRows::findStruck(std::span<const SolverBody> bodies, std::span<const Bo
                           places.data(), moved.data(), duration, gravity}))
             any = true;
     });
-    if (any) listSolved();
+    if (any) listAfter(workers, fewListed, [](std::span<const std::uint32_t>) {});
     return any;
 }
 

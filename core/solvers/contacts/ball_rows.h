@@ -3,6 +3,7 @@
 
 #include "core/base/held_bytes.h"
 #include "core/base/scratch.h"
+#include "core/base/index.h"
 #include "core/math/types.h"
 #include "core/solvers/contacts/lane_packer.h"
 #include "core/solvers/contacts/sections.h"
@@ -69,6 +70,24 @@ struct BallPair {
     Vec3 impulse = Vec3::Zero(); ///< on B [N s]; where the solve begins
     double friction = 0, restitution = 0;
     double push = 0;
+};
+
+/// A pair of balls, and its place among their rows.
+struct PlacedPair {
+    BodyPair pair;
+    std::uint32_t place = 0;
+};
+struct PlacedPairs {
+    std::vector<PlacedPair> near, far, late;
+
+    void clear() {
+        for (std::vector<PlacedPair>* list : {&near, &far, &late}) list->clear();
+    }
+    void append(const PlacedPairs& others) {
+        near.insert(near.end(), others.near.begin(), others.near.end());
+        far.insert(far.end(), others.far.begin(), others.far.end());
+        late.insert(late.end(), others.late.begin(), others.late.end());
+    }
 };
 
 class BallRows {
@@ -143,15 +162,14 @@ class BallRows {
                 const StepSettings& settings, int passes, const ActiveBodies& active,
                 Workers& workers = Workers::alone());
 
-    /// visit(source, place) for every pair; the place is that until pairs are kept or reordered.
+    /// visit(source, place) for every pair of these groups; the place is that until pairs are kept or
+    /// reordered.
     template<class Visit>
-    void forEachPlace(const Visit& visit) const {
-        std::uint32_t place = 0;
-        for (const Fixed& fixed : m_fixed)
-            for (const std::uint32_t source : fixed.source) {
-                if (source != noPair) visit(source, place);
-                ++place;
-            }
+    void forEachPlace(std::size_t begin, std::size_t end, const Visit& visit) const {
+        for (std::size_t i = begin; i < end; ++i)
+            for (std::size_t lane = 0; lane < wideLanes; ++lane)
+                if (m_fixed[i].source[lane] != noPair)
+                    visit(m_fixed[i].source[lane], static_cast<std::uint32_t>(wideLanes * i + lane));
     }
     /// visit(source) for every pair with an impulse.
     template<class Visit>
@@ -246,13 +264,19 @@ class BallRows {
         std::vector<std::uint32_t> solved; ///< not held
         std::vector<std::uint32_t> active, watched;
         bool areKnown = false;
+
+        void clear() {
+            for (std::vector<std::uint32_t>* list : {&solved, &active, &watched}) list->clear();
+        }
     };
     const Lists& lists() {
         if (!m_lists.areKnown) findLists();
         return m_lists;
     }
+    void findSolved();
     void findLists();
-    void listSolved();
+    template<class Work>
+    void listAfter(Workers& workers, std::size_t least, const Work& work);
     template<class Work>
     void forActive(bool back, Workers& workers, const Work& work);
     /// Returns the overlap of pairs that can meet [m].
@@ -274,6 +298,7 @@ class BallRows {
     LanePacker m_packer;
     Sections m_sections;
     Derived<Lists> m_lists;
+    Scratch<std::vector<Lists>> m_parts; // of these, as threads find them
     double m_deepest = 0, m_heldDeepest = 0;
     std::size_t m_heldContacts = 0;
 };

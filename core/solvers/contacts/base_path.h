@@ -255,7 +255,7 @@ class BasePath {
     Scratch<std::vector<std::uint8_t>> m_numbers;                      // by island that enters: its block
     Scratch<std::array<std::vector<std::size_t>, divisions>> m_outrun; // by block and island: bodies
     Scratch<std::vector<BodyIndex>> m_active;                          // of a block
-    Scratch<std::vector<std::uint8_t>> m_isOutrun;                     // by these
+    Scratch<std::vector<Renewed>> m_needed;                            // by these
     Scratch<std::vector<double>> m_kick;                               // by body, of those that enter [m]
     Scratch<std::vector<double>> m_room; // by body: what is left of its reach in this substep [m]
     std::vector<Renewed> m_renewed;

@@ -4,6 +4,7 @@
 #include "core/base/shared_extremes.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 // How far bodies on the base path may come, and the pairs that follow from it.
@@ -18,11 +19,9 @@ constexpr std::size_t fewRenewed = 4;
 /// A body whose reach is this many times what it needs gets a new one when a frame begins. At half, more
 /// bodies do; at twice, heaps that came to rest keep a fifth more pairs.
 constexpr double tooFar = 3;
-/// Bodies that one thread looks at least at; one takes some 30 ns. At half, waking a thread costs nearly what
-/// it saves; at twice, a thousand bodies are looked at by one.
-constexpr std::size_t fewBodies = 512;
-/// The same of those whose neighbours are looked at; one takes some .5 us.
-constexpr std::size_t fewSearched = 64;
+/// Bodies that one thread looks at least at, and at the neighbours of; and pairs that it looks at.
+constexpr std::size_t fewBodies = Workers::enoughOf(30), fewSearched = Workers::enoughOf(500),
+                      fewPairs = Workers::enoughOf(5);
 
 /// Bodies get new neighbours only where at least one mobile body in so many takes the base path, because
 /// those of all bodies may have to be found; else islands leave. At twice, a search for all is made for fewer
@@ -183,22 +182,21 @@ void BasePath::findOutrun(const SteppedInput& input, double time, double skin, c
         m_active.clear();
         for (const BodyIndex i : block.bodies())
             if (!neighbours.settled().has(i)) m_active.push_back(i);
-        m_isOutrun.resize(m_active.size());
+        m_needed.resize(m_active.size());
         input.workers.forRanges(m_active.size(), fewBodies, [&](std::size_t begin, std::size_t end) {
             for (std::size_t n = begin; n < end; ++n) {
                 const BodyIndex i = m_active[n];
                 m_room[i] = roomOf(input, i);
-                m_isOutrun[n] = neighbours.reach(i) > m_room[i] ? 1 : 0;
+                const bool isOutrun = neighbours.reach(i) > m_room[i];
+                const double reach = isOutrun || input.isFirst ? ownReach(input, i, time, skin, neighbours)
+                                                               : std::numeric_limits<double>::infinity();
+                m_needed[n] = {i, reach, !isOutrun};
             }
         });
-        for (std::size_t n = 0; n < m_active.size(); ++n) {
-            const BodyIndex i = m_active[n];
-            if (block.isMarked(i)) continue;
-            const bool isOutrun = m_isOutrun[n] != 0;
-            if (!isOutrun && !input.isFirst) continue;
-            const double reach = ownReach(input, i, time, skin, neighbours);
-            if (!isOutrun && m_reach[i] <= tooFar * reach) continue;
-            m_renewed.push_back({i, reach, !isOutrun});
+        for (const Renewed& needed : std::span<const Renewed>(m_needed)) {
+            const BodyIndex i = needed.body;
+            if (block.isMarked(i) || (needed.isNarrowed && m_reach[i] <= tooFar * needed.reach)) continue;
+            m_renewed.push_back(needed);
             m_renewal[i] = static_cast<std::uint32_t>(m_renewed.size());
         }
     }
@@ -276,19 +274,23 @@ void BasePath::loadPairs(const SteppedInput& input, Neighbours& neighbours, Mani
     m_present.clear();
     for (SteppedMotion& block : m_blocks) {
         if (block.isEmpty()) continue;
-        const auto isRenewed = [this](const Entry& entry) {
-            return m_renewal[entry.pair.a] != 0 || m_renewal[entry.pair.b] != 0;
+        const auto isRenewed = [renewal = m_renewal.data()](const Entry& entry) {
+            return (renewal[entry.pair.a] | renewal[entry.pair.b]) != 0;
         };
         const auto cannotMeet = [&](const Entry& entry) {
             return isRenewed(entry) &&
                    !areWithin(input.bodies, input.state, entry.pair, marginOf(input, entry.pair));
         };
-        if (input.isFirst) block.drop(cannotMeet, manifolds, m_newNumbers);
-        block.forEachEntry([&](Entry& entry) {
-            if (!isRenewed(entry)) return;
-            entry.margin = std::max(entry.margin, marginOf(input, entry.pair));
-            m_present.push_back({entry.pair});
-        });
+        if (input.isFirst) block.drop(cannotMeet, manifolds, m_newNumbers, input.workers);
+        const std::span<Entry> entries = block.entries();
+        input.workers.forLists(entries.size(), fewPairs, static_cast<std::vector<Present>&>(m_present),
+                               [&](std::size_t begin, std::size_t end, std::vector<Present>& present) {
+                                   for (Entry& entry : entries.subspan(begin, end - begin)) {
+                                       if (!isRenewed(entry)) continue;
+                                       entry.margin = std::max(entry.margin, marginOf(input, entry.pair));
+                                       present.push_back({entry.pair});
+                                   }
+                               });
     }
     m_sort.sort(m_present, input.bodies.count());
     m_missing.entries.clear();

@@ -11,9 +11,8 @@
 namespace carom {
 namespace {
 
-/// Bodies whose neighbours one thread looks at, at least; one takes some .2 us. At half, waking a thread
-/// costs nearly what it saves; at twice, some hundred bodies are looked at by one.
-constexpr std::size_t fewLookedAt = 128;
+/// Bodies whose neighbours one thread looks at, at least.
+constexpr std::size_t fewLookedAt = Workers::enoughOf(200);
 
 double roomFor(const Bodies& bodies, BodyIndex body, double reach) {
     return reach + Neighbours::leastMargin * bodies.boundingRadius[body];

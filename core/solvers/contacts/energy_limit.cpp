@@ -11,9 +11,8 @@
 namespace carom {
 namespace {
 
-/// Bodies of which one thread computes the energy at least; one takes some 20 ns. At half, waking a thread
-/// costs nearly what it saves; at twice, islands of a thousand bodies have one.
-constexpr std::size_t fewProducts = 512;
+/// Bodies of which one thread computes the energy at least, or what they have gained.
+constexpr std::size_t fewProducts = Workers::enoughOf(20), fewGains = Workers::enoughOf(10);
 
 /// ½ v · M v' for two motions of a body, one body in each lane. For bodies that do not turn the spin's part
 /// is 0.
@@ -104,9 +103,12 @@ CAROM_WIDE void copyVelocities(std::span<const SolverBody> bodies, std::span<con
 }
 
 void findGains(std::span<const SolverBody> bodies, std::span<const BodyVelocity> before,
-               std::span<const std::uint32_t> list, double resting, std::vector<double>& to) {
+               std::span<const std::uint32_t> list, double resting, std::vector<double>& to,
+               Workers& workers) {
     to.resize(list.size());
-    gains(bodies.data(), before.data(), list, resting, to.data());
+    workers.forRanges(list.size(), fewGains, [&](std::size_t begin, std::size_t end) {
+        gains(bodies.data(), before.data(), list.subspan(begin, end - begin), resting, to.data() + begin);
+    });
 }
 
 void EnergyLimit::addUp(Times times, std::span<const SolverBody> bodies, std::span<const BodyVelocity> before,

@@ -27,7 +27,8 @@ void copyVelocities(std::span<const SolverBody> bodies, std::span<const std::uin
 /// About twice the energy that each body of a list has gained since it had the velocities `before`, less that
 /// of the speed whose square is `resting` [J]: as if it were a ball.
 void findGains(std::span<const SolverBody> bodies, std::span<const BodyVelocity> before,
-               std::span<const std::uint32_t> list, double resting, std::vector<double>& to);
+               std::span<const std::uint32_t> list, double resting, std::vector<double>& to,
+               Workers& workers = Workers::alone());
 
 class EnergyLimit {
   public:

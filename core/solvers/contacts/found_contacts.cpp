@@ -4,6 +4,7 @@
 #include "core/base/reserve.h"
 #include "core/dynamics/contact_memory.h"
 
+#include <algorithm>
 #include <atomic>
 #include <limits>
 #include <utility>
@@ -18,12 +19,34 @@ bool areBalls(const Bodies& bodies, BodyPair pair) {
     return isBall(pair.a) && isBall(pair.b);
 }
 
+/// Pairs that one thread compares at least.
+constexpr std::size_t fewCompared = Workers::enoughOf(1000);
+
+/// What is remembered of pairs, which ascend.
+class Memory {
+  public:
+    Memory(const ContactSet& remembered, BodyPair first)
+        : m_remembered(remembered),
+          m_next(std::ranges::lower_bound(remembered.pairs, first, {}, &ContactPair::bodies)) {}
+
+    std::span<const ContactConstraint> of(BodyPair pair) {
+        while (m_next != m_remembered.pairs.end() && m_next->bodies() < pair) ++m_next;
+        if (m_next == m_remembered.pairs.end() || m_next->bodies() != pair) return {};
+        return m_remembered.pointsOf(*m_next);
+    }
+
+  private:
+    const ContactSet& m_remembered;
+    std::vector<ContactPair>::const_iterator m_next;
+};
+
 } // namespace
 
 void FoundContacts::find(const ManifoldInput& here, std::span<const BodyPair> candidates,
                          const Candidates& margins, const Refinement& refinement,
                          const ContactSet& remembered, WorkCounters& work, Workers& workers) {
     updateCarried(here, candidates, margins, refinement, workers, work);
+    collideAnew(here, candidates, margins, remembered, workers, work);
     m_found.clear();
     m_found.reserve(candidates.size(), candidates.size());
     m_place.clear();
@@ -35,7 +58,8 @@ void FoundContacts::find(const ManifoldInput& here, std::span<const BodyPair> ca
     reserveFor(candidates.size(), m_memory);
     reserveFor(candidates.size(), m_isPending);
     m_apart.clear();
-    std::size_t old = 0;
+    Memory memory(remembered, {0, 0});
+    auto anew = m_anew.pairs.cbegin();
     auto updated = m_updated.begin();
     for (const BodyPair pair : candidates) {
         const double margin = margins.marginOf(pair);
@@ -55,10 +79,6 @@ void FoundContacts::find(const ManifoldInput& here, std::span<const BodyPair> ca
             m_isPending.push_back(0);
             continue;
         }
-        while (old < remembered.pairs.size() && remembered.pairs[old].bodies() < pair) ++old;
-        std::span<const ContactConstraint> memory;
-        if (old < remembered.pairs.size() && remembered.pairs[old].bodies() == pair)
-            memory = remembered.pointsOf(remembered.pairs[old]);
         double gap = std::numeric_limits<double>::infinity();
         const bool isPending = areBalls(here.bodies, pair);
         if (isPending) {
@@ -66,14 +86,13 @@ void FoundContacts::find(const ManifoldInput& here, std::span<const BodyPair> ca
             if (gap > margin) continue;
             m_found.pairs.push_back(contact);
         } else {
-            ++work.pairsCollided;
-            const std::size_t count = m_found.pairs.size();
-            collideInto(here.bodies, here.state, contact, memory, m_found);
-            if (m_found.pairs.size() == count) continue;
+            if (anew == m_anew.pairs.cend() || anew->bodies() != pair) continue;
+            m_found.append(*anew, m_anew.pointsOf(*anew));
+            ++anew;
             for (const ContactConstraint& point : m_found.pointsOf(m_found.pairs.back()))
                 gap = std::min(gap, point.separation);
         }
-        m_memory.push_back(memory);
+        m_memory.push_back(isPending ? memory.of(pair) : std::span<const ContactConstraint>{});
         m_isPending.push_back(isPending ? 1 : 0);
         m_place.push_back(Manifolds::none);
         m_canMeet.push_back(carom::canMeet(here, pair, gap) ? 1 : 0);
@@ -107,6 +126,31 @@ void FoundContacts::updateCarried(const ManifoldInput& here, std::span<const Bod
         collided += count;
     });
     work.pairsCollided += collided;
+}
+
+// Finds the contacts of the candidates without a manifold, but for those of balls.
+void FoundContacts::collideAnew(const ManifoldInput& here, std::span<const BodyPair> candidates,
+                                const Candidates& margins, const ContactSet& remembered, Workers& workers,
+                                WorkCounters& work) {
+    m_pairs.clear();
+    auto updated = m_updated.begin();
+    for (const BodyPair pair : candidates)
+        if (updated != m_updated.end() && updated->pair == pair)
+            ++updated;
+        else if (!areBalls(here.bodies, pair))
+            m_pairs.push_back(pair);
+    work.pairsCollided += m_pairs.size();
+    const std::span<ContactSet> parts = workers.forKeptLists(
+        m_pairs.size(), fewCompared, m_parts, [&](std::size_t begin, std::size_t end, ContactSet& set) {
+            if (begin == end) return;
+            Memory memory(remembered, m_pairs[begin]);
+            for (const BodyPair pair : std::span(m_pairs).subspan(begin, end - begin))
+                collideInto(here.bodies, here.state, pairOf(here.bodies, pair, margins.marginOf(pair)),
+                            memory.of(pair), set);
+        });
+    std::swap(m_anew, parts.front());
+    for (const ContactSet& part : parts.subspan(1))
+        for (const ContactPair& pair : part.pairs) m_anew.append(pair, part.pointsOf(pair));
 }
 
 void FoundContacts::findPoints(const ManifoldInput& here, std::uint32_t index, WorkCounters& work) {

@@ -88,12 +88,17 @@ class FoundContacts {
     void updateCarried(const ManifoldInput& here, std::span<const BodyPair> candidates,
                        const Candidates& margins, const Refinement& refinement, Workers& workers,
                        WorkCounters& work);
+    void collideAnew(const ManifoldInput& here, std::span<const BodyPair> candidates,
+                     const Candidates& margins, const ContactSet& remembered, Workers& workers,
+                     WorkCounters& work);
     void findPoints(const ManifoldInput& here, std::uint32_t pair, WorkCounters& work);
     void list();
     void drop(std::span<const Manifolds::Entry> entries);
 
     Manifolds m_manifolds;
-    ContactSet m_found, m_scratch, m_fresh;
+    ContactSet m_found, m_scratch, m_fresh, m_anew;
+    std::vector<BodyPair> m_pairs;                            // that are compared anew
+    std::vector<ContactSet> m_parts;                          // of m_anew, as threads find them
     std::vector<std::uint8_t> m_canMeet;                      // by pair of m_found
     std::vector<double> m_gap;                                // by pair of m_found [m]
     std::vector<std::span<const ContactConstraint>> m_memory; // by pair of m_found: what is remembered of it

@@ -13,11 +13,10 @@ namespace {
 
 constexpr double noMeeting = std::numeric_limits<double>::infinity();
 
-/// Bodies of which one thread finds what they meet, at least; one takes some .5 us. At half, waking a thread
-/// costs nearly what it saves; at twice, some hundred bodies have one.
-constexpr std::size_t fewStarts = 128;
-/// The same of bodies that may be struck: of which one thread finds what they hit.
-constexpr std::size_t fewStrikes = 128;
+/// Bodies that one thread moves at least, of which it finds what they meet, and, where they were struck, what
+/// they hit.
+constexpr std::size_t fewMoved = Workers::enoughOf(5), fewStarts = Workers::enoughOf(500),
+                      fewStrikes = Workers::enoughOf(500);
 
 /// The distance of two centres within which their bodies may touch however slow they are [m].
 double touching(const Bodies& bodies, BodyIndex a, BodyIndex b) {
@@ -187,16 +186,18 @@ void FreeFlight::start(const SolverInput& input, Neighbours& neighbours, std::ve
 }
 
 void FreeFlight::advance(const SolverInput& input) {
-    const double time = input.part * input.substep;
-    const Vec3 gained = time * input.gravity, gainedInMean = 0.5 * time * input.gravity;
-    const Start* const starts = m_start.data();
-    Pose* const poses = input.state.pose.data();
-    Vec3* const velocities = input.state.velocity.data();
-    for (const BodyIndex i : m_bodies) { // placeIn(), where the time is the same for all
-        const Start& start = starts[i];
-        poses[i].position = start.position + time * (start.velocity + gainedInMean);
-        velocities[i] = start.velocity + gained;
-    }
+    input.workers.forRanges(m_bodies.size(), fewMoved, [&](std::size_t begin, std::size_t end) {
+        const double time = input.part * input.substep;
+        const Vec3 gained = time * input.gravity, gainedInMean = 0.5 * time * input.gravity;
+        const Start* const starts = m_start.data();
+        Pose* const poses = input.state.pose.data();
+        Vec3* const velocities = input.state.velocity.data();
+        for (const BodyIndex i : std::span(m_bodies).subspan(begin, end - begin)) {
+            const Start& start = starts[i]; // placeIn(), where the time is the same for all
+            poses[i].position = start.position + time * (start.velocity + gainedInMean);
+            velocities[i] = start.velocity + gained;
+        }
+    });
 }
 
 void FreeFlight::findDue(const SolverInput& input, std::vector<BodyIndex>& due) {

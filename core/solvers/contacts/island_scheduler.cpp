@@ -9,9 +9,8 @@
 namespace carom {
 namespace {
 
-/// Pairs in contact and bodies of islands that are given to a worker together: some tens of microseconds. At
-/// half, waking a thread costs a larger share; at twice, small scenes use fewer threads.
-constexpr std::size_t batchWeight = 32;
+/// Pairs in contact and bodies of islands that are given to a worker together, at some us each.
+constexpr std::size_t batchWeight = Workers::enoughOf(1000);
 
 /// Springs alone hold this island together: the integrator moves it.
 bool isNetwork(const SolverInput& input, const Island& island) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/held_bytes.h"
+#include "core/base/workers.h"
 #include "core/dynamics/bodies.h"
 #include "core/dynamics/contact_constraint.h"
 #include "core/dynamics/state.h"
@@ -113,9 +114,8 @@ Vec3 normalOf(const ManifoldInput& input, const PersistentManifold& manifold);
 /// open, and only its normal and its gap are valid. Points further apart than `margin` [m] are left out. True
 /// if the shapes were compared again.
 bool updateManifold(const ManifoldInput& input, double margin, PersistentManifold& manifold);
-/// Manifolds that one thread updates at least; one takes .1 to 1 us. At half, waking a thread costs nearly
-/// what it saves; at twice, islands of some hundred pairs are updated by one.
-inline constexpr std::size_t fewManifolds = 128;
+/// Manifolds that one thread updates at least; one takes .1 to 1 us.
+inline constexpr std::size_t fewManifolds = Workers::enoughOf(100);
 /// The points of a manifold with this normal from A to B that may touch if its gap is closed by `reach` [m]
 /// at most.
 struct NearPoints {

@@ -25,12 +25,10 @@ constexpr std::size_t alwaysFew = 16;
 /// changes memory only, and how often lists grow.
 constexpr std::size_t usualAround = 16;
 
-/// Bodies whose neighbours one thread finds at least, at about 1 us each; bodies whose skin it renews; and
-/// pairs of which it finds when they meet. At half, waking a thread costs nearly what it saves; at twice,
-/// some hundred bodies have one.
-constexpr std::size_t fewFound = 8, fewRenewed = 512, fewMeetings = 512;
-/// The same of pairs, of which it tells the other body at some 20 ns each.
-constexpr std::size_t fewTold = 256;
+/// Bodies whose neighbours one thread finds at least; bodies whose skin it renews; pairs of which it finds
+/// when they meet, and of which it tells the other body.
+constexpr std::size_t fewFound = Workers::enoughOf(1000), fewRenewed = Workers::enoughOf(30),
+                      fewMeetings = Workers::enoughOf(10), fewTold = Workers::enoughOf(20);
 
 constexpr TimeSpan always{0, std::numeric_limits<double>::infinity()};
 

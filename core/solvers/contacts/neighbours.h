@@ -233,9 +233,8 @@ class Neighbours {
     /// A skin has this many times the room that was asked for. At twice, lists hold more pairs; at 1, they
     /// are made anew for the least that is needed more.
     static constexpr double roominess = 1.2;
-    /// Bodies that one thread looks at, at least, at some 50 ns each. At half, waking a thread costs nearly
-    /// what it saves; at twice, some hundred bodies have one.
-    static constexpr std::size_t fewServed = 512;
+    /// Bodies that one thread looks at, at least.
+    static constexpr std::size_t fewServed = Workers::enoughOf(50);
 
     Meetings meetingsOfSkins() const { return {m_course.data(), m_extent.data(), m_now}; }
     bool comesNear(const Bodies& bodies, BodyIndex body, BodyIndex wall) const;

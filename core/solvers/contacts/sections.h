@@ -34,9 +34,8 @@ namespace carom {
 
 inline constexpr std::size_t sectionPhases = 4;
 
-/// Groups that one thread works on at least, where they are independent of each other; one takes some 50 ns.
-/// At half, waking a thread costs nearly what it saves; at twice, islands of 1,000 pairs have one.
-inline constexpr std::size_t fewShared = 128;
+/// Groups that one thread works on at least, where they are independent of each other.
+inline constexpr std::size_t fewShared = Workers::enoughOf(50);
 
 /// Where a section ends in a list of pairs that are sorted by section.
 struct SectionEnd {

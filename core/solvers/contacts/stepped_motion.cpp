@@ -243,10 +243,9 @@ CAROM_INLINE bool SteppedMotion::isStruck(const Watched& pair) const {
            pair.radiusA * a.turn + pair.radiusB * b.turn;
 }
 
-// The first of the watched pairs from `number` on that is struck, or their number.
-CAROM_WIDE std::size_t SteppedMotion::nextStruck(std::size_t number) const {
-    while (number < m_watched.size() &&
-           (m_watched[number].entry == ContactRows::noPair || !isStruck(m_watched[number])))
+// The first of the watched pairs from `number` on that is struck, or `end`.
+CAROM_WIDE std::size_t SteppedMotion::nextStruck(std::size_t number, std::size_t end) const {
+    while (number < end && (m_watched[number].entry == ContactRows::noPair || !isStruck(m_watched[number])))
         ++number;
     return number;
 }
@@ -257,7 +256,14 @@ bool SteppedMotion::addStruck(const SteppedInput& input, double duration, Manifo
     bool any = m_balls.findStruck(m_bodies, m_places, m_moved, duration, input.gravity, input.workers);
     bool anyRow = false;
     if (!m_watched.empty()) foreseeStruck(duration, input.workers);
-    for (std::size_t i = nextStruck(0); i < m_watched.size(); i = nextStruck(i + 1)) {
+    m_struckPairs.clear();
+    input.workers.forLists(m_watched.size(), fewAwake, static_cast<std::vector<std::size_t>&>(m_struckPairs),
+                           [&](std::size_t begin, std::size_t end, std::vector<std::size_t>& struck) {
+                               for (std::size_t i = nextStruck(begin, end); i < end;
+                                    i = nextStruck(i + 1, end))
+                                   struck.push_back(i);
+                           });
+    for (const std::size_t i : std::span<const std::size_t>(m_struckPairs)) {
         Watched& pair = m_watched[i];
         PersistentManifold& manifold = manifolds[m_entries[pair.entry].place];
         const SolverBody &bodyA = m_bodies[pair.a], &bodyB = m_bodies[pair.b];
@@ -362,7 +368,7 @@ void SteppedMotion::step(const SteppedInput& input, double duration, Manifolds& 
 // up again, and passes hardly solve for light bodies below heavy ones.
 void SteppedMotion::limitEnergy(const StepSettings& settings, Workers& workers, bool corrects) {
     findParts();
-    if (!mayGainEnergy(settings)) return;
+    if (!mayGainEnergy(settings, workers)) return;
     const std::span<const std::uint32_t> part = partOf();
     m_stepEnergy.remember(m_bodies, m_free, movingParts(), parts(), workers);
     for (const std::uint32_t i : m_moving.awake)
@@ -382,9 +388,9 @@ void SteppedMotion::limitEnergy(const StepSettings& settings, Workers& workers, 
 }
 
 // Whether contacts may have given some island that much energy: as if all bodies were balls.
-bool SteppedMotion::mayGainEnergy(const StepSettings& settings) {
+bool SteppedMotion::mayGainEnergy(const StepSettings& settings, Workers& workers) {
     const std::span<const std::uint32_t> awake = m_moving.awake, part = partOf();
-    findGains(m_bodies, m_free, awake, settings.resting * settings.resting, m_gains);
+    findGains(m_bodies, m_free, awake, settings.resting * settings.resting, m_gains, workers);
     m_gained.resize(parts());
     for (const std::uint32_t i : awake) m_gained[part[i]] = 0;
     for (std::size_t k = 0; k < awake.size(); ++k) m_gained[part[awake[k]]] += m_gains[k];

@@ -145,21 +145,25 @@ class SteppedMotion {
     /// New numbers of what stays when others leave, by the old ones; a caller keeps the memory.
     struct NewNumbers {
         std::vector<std::uint32_t> entries, bodies, islands;
+        std::vector<std::uint32_t> going; ///< entries
     };
     /// Removes pairs of which `is(entry)` holds: they are too far apart to meet. When a frame begins.
     template<class Is>
-    void drop(const Is& is, Manifolds& manifolds, NewNumbers& numbers) {
+    void drop(const Is& is, Manifolds& manifolds, NewNumbers& numbers, Workers& workers) {
+        numbers.going.clear();
+        workers.forLists(m_entries.size(), Workers::enoughOf(5), numbers.going,
+                         [&](std::size_t begin, std::size_t end, std::vector<std::uint32_t>& going) {
+                             const std::span<const Entry> entries = m_entries;
+                             for (std::size_t i = begin; i < end; ++i)
+                                 if (is(entries[i])) going.push_back(static_cast<std::uint32_t>(i));
+                         });
+        if (numbers.going.empty()) return;
         numbers.entries.assign(m_entries.size(), 0);
-        bool isAny = false;
-        for (std::size_t i = 0; i < m_entries.size(); ++i) {
-            const Entry& entry = m_entries[i];
-            if (!is(entry)) continue;
-            isAny = true;
+        for (const std::uint32_t i : numbers.going) {
             numbers.entries[i] = gone;
-            if (entry.place != Manifolds::none) manifolds.remove(entry.place);
-            noteUnordered(entry.pair);
+            if (m_entries[i].place != Manifolds::none) manifolds.remove(m_entries[i].place);
+            noteUnordered(m_entries[i].pair);
         }
-        if (!isAny) return;
         forgetPairs();
         renumberEntries(numbers.entries);
         m_balls.renumber(numbers.entries, immobile);
@@ -221,11 +225,7 @@ class SteppedMotion {
     bool isStill(BodyIndex body) const { return m_still.is(m_local[body]); }
     /// Those that moved on in the last substep.
     std::span<const BodyIndex> movedOn() const { return m_movedOn; }
-    /// visit(entry) for every pair.
-    template<class Visit>
-    void forEachEntry(const Visit& visit) {
-        for (Entry& entry : m_entries) visit(entry);
-    }
+    std::span<Entry> entries() { return m_entries; }
     /// Whether the bodies are where, and as fast as, the last substep left them.
     bool isUnchanged(const State& state) const;
     /// Memory that a copy holds.
@@ -326,11 +326,6 @@ class SteppedMotion {
         Displacement moved;
         Vec3 shift = Vec3::Zero(), turn = Vec3::Zero(); ///< in the step [m], [rad]
     };
-    /// A pair of balls, and its place among their rows.
-    struct PlacedPair {
-        BodyPair pair;
-        std::uint32_t place = 0;
-    };
     /// How far a body moves until the end of a step, from its pose at the look.
     struct alignas(32) Coming {
         std::array<double, 3> shift{}; ///< [m]
@@ -423,7 +418,7 @@ class SteppedMotion {
     void foreseeStruck(double duration, Workers& workers);
     void foreseeStruck(double duration, std::span<const std::uint32_t> numbers);
     bool isStruck(const Watched& pair) const;
-    std::size_t nextStruck(std::size_t number) const;
+    std::size_t nextStruck(std::size_t number, std::size_t end) const;
     bool addStruck(const SteppedInput& input, double duration, Manifolds& manifolds, SteppedReport& report);
     std::size_t points() { return wideLanes * (m_rows.points().size() + m_balls.activeGroups()); }
     void foreseeTurned(const SteppedInput& input, double duration);
@@ -441,7 +436,7 @@ class SteppedMotion {
     void step(const SteppedInput& input, double duration, Manifolds& manifolds, SteppedReport& report);
     void limitEnergy(const StepSettings& settings, Workers& workers, bool corrects);
     void findCorrection(const StepSettings& settings);
-    bool mayGainEnergy(const StepSettings& settings);
+    bool mayGainEnergy(const StepSettings& settings, Workers& workers);
     void rebound(const StepSettings& settings, Workers& workers, SteppedReport& report);
     SpringIslands springIslands(const SteppedInput& input) const;
     void rememberSprings(const SteppedInput& input);
@@ -450,9 +445,8 @@ class SteppedMotion {
     void recordTerms(const SteppedInput& input);
     void move(const SteppedInput& input, double duration);
     void shift(const SteppedInput& input, double duration, std::span<const std::uint32_t> numbers);
-    /// Bodies that one thread moves at least; one takes some 10 ns. At half, waking a thread costs nearly
-    /// what it saves; at twice, islands of a thousand bodies are moved by one.
-    static constexpr std::size_t fewAwake = 512;
+    /// Bodies that one thread moves at least.
+    static constexpr std::size_t fewAwake = Workers::enoughOf(10);
     /// Calls work(number) for all bodies of a list.
     template<class Work>
     static void forEachOf(std::span<const std::uint32_t> list, Workers& workers, const Work& work) {
@@ -563,7 +557,8 @@ class SteppedMotion {
     Scratch<std::vector<BodyFrame>> m_frames;
     Scratch<std::vector<std::uint32_t>> m_frameOf; // by number: its place in m_frames, if it has one
     Scratch<std::vector<Watched>> m_watched;
-    Scratch<std::vector<PlacedPair>> m_near, m_far, m_late; // pairs of balls, to be put in order
+    Scratch<std::vector<std::size_t>> m_struckPairs; // of these
+    Scratch<PlacedPairs> m_placedPairs;              // to be put in order
     Scratch<PairSort<PlacedPair>> m_sort;
     Scratch<std::vector<std::uint32_t>> m_order, m_added;
     Derived<SectionPlan> m_plan;

@@ -16,9 +16,8 @@
 namespace carom {
 namespace {
 
-/// Frames that one thread makes at least; one takes some 20 ns. At half, waking a thread costs nearly what it
-/// saves; at twice, those of some hundred bodies are made by one.
-constexpr std::size_t fewFrames = 512;
+/// Frames that one thread makes at least.
+constexpr std::size_t fewFrames = Workers::enoughOf(20);
 
 /// By the bits of the points of a pair: how many there are.
 constexpr std::array<std::uint8_t, 1U << mostRowPoints> countOf = [] {

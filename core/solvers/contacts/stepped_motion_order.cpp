@@ -16,6 +16,8 @@ namespace {
 /// A pair is near that is nearer than this part of the smaller one's size: twice the gap at which it may
 /// touch however slow it is. Half would be that gap, which a pair can close at once; twice keeps more pairs.
 constexpr double nearPart = 2 * slackPart;
+/// Groups of balls of which one thread looks at the pairs, at least.
+constexpr std::size_t fewPlaced = Workers::enoughOf(50);
 
 } // namespace
 
@@ -116,26 +118,33 @@ void SteppedMotion::renumberEntries(std::vector<std::uint32_t>& numbers) {
 // Sorts the pairs of balls of islands that are not in order. In the others, which have other rows then, all
 // stay in the order that they have, so that it depends on no other island.
 void SteppedMotion::orderBalls(const SteppedInput& input) {
-    m_near.clear();
-    m_far.clear();
-    m_late.clear();
-    m_balls.forEachPlace([&](std::uint32_t index, std::uint32_t place) {
-        Entry& entry = m_entries[index];
-        if (m_groups[m_island[numberOf(entry.pair)]].isUnordered()) {
-            entry.isNear = isNear(input, entry.pair);
-            entry.isLate = false;
-        }
-        (entry.isLate ? m_late : entry.isNear ? m_near : m_far).push_back({entry.pair, place});
-    });
+    auto& [near, far, late] = static_cast<PlacedPairs&>(m_placedPairs);
+    m_placedPairs.clear();
+    input.workers.forLists(
+        m_balls.groups(), fewPlaced, static_cast<PlacedPairs&>(m_placedPairs),
+        [&](std::size_t begin, std::size_t end, PlacedPairs& part) {
+            m_balls.forEachPlace(begin, end, [&](std::uint32_t index, std::uint32_t place) {
+                Entry& entry = m_entries[index];
+                if (m_groups[m_island[numberOf(entry.pair)]].isUnordered()) {
+                    entry.isNear = isNear(input, entry.pair);
+                    entry.isLate = false;
+                }
+                (entry.isLate   ? part.late
+                 : entry.isNear ? part.near
+                                : part.far)
+                    .push_back({entry.pair, place});
+            });
+        },
+        [this](const PlacedPairs& part) { m_placedPairs.append(part); });
     for (Group& group : m_groups)
         if (group.isUnordered()) group.unordered = 0;
-    for (std::vector<PlacedPair>* list : {&m_near, &m_far}) m_sort.sort(*list, input.bodies.count());
-    m_near.insert(m_near.end(), m_far.begin(), m_far.end());
+    for (std::vector<PlacedPair>* list : {&near, &far}) m_sort.sort(*list, input.bodies.count());
+    near.insert(near.end(), far.begin(), far.end());
     if (!m_plan.isMade()) m_plan.make(m_island, m_slab, m_groups.size());
     const std::span<const SectionEnd> sections =
-        m_plan.sort(m_near, m_far, [this](const PlacedPair& placed) { return numbersOf(placed.pair); });
+        m_plan.sort(near, far, [this](const PlacedPair& placed) { return numbersOf(placed.pair); });
     m_order.clear();
-    for (const std::vector<PlacedPair>* list : {&m_near, &m_late})
+    for (const std::vector<PlacedPair>* list : {&near, &late})
         for (const PlacedPair& placed : *list) m_order.push_back(placed.place);
     m_balls.reorder(m_order, immobile, sections, input.workers);
 }

@@ -13,9 +13,8 @@
 namespace carom {
 namespace {
 
-/// Bodies that one thread turns at least; one takes some 30 ns. At half, waking a thread costs nearly what it
-/// saves; at twice, islands of some hundred bodies are turned by one.
-constexpr std::size_t fewTurning = 256;
+/// Bodies that one thread turns at least.
+constexpr std::size_t fewTurning = Workers::enoughOf(30);
 
 /// Contacts of a body are found anew within a look when its rotation may have moved a point of its surface
 /// off the line that the rows foresee by this part of its half thickness, r φ²/2 for a rotation of φ. At

@@ -3,9 +3,12 @@
 
 #include "core/base/workers.h"
 
+#include <QThread>
+
 #include <array>
 #include <atomic>
 #include <numeric>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -104,6 +107,36 @@ class WorkersTest : public QObject {
         QCOMPARE(Workers(-3).threads(), 1);
         QCOMPARE(Workers(1).threads(), 1);
         QVERIFY(Workers(1000).threads() <= 1000);
+    }
+
+    void whatAPartThrowsReachesTheCallerWhoMayGoOn() {
+        Workers workers(2);
+        for (std::size_t thrower = 0; thrower < 8; ++thrower) {
+            std::vector<int> calls(8, 0);
+            const auto count = [&](std::size_t, std::size_t i) { ++calls[i]; };
+            QVERIFY_THROWS_EXCEPTION(std::length_error, workers.forEach(8, [&](std::size_t, std::size_t i) {
+                if (i == thrower) throw std::length_error("a part");
+            }));
+            workers.forEach(8, count);
+            QCOMPARE(calls, std::vector<int>(8, 1));
+        }
+    }
+
+    void threadsThatFellAsleepWorkOn() {
+        Workers workers(2);
+        std::atomic<int> calls = 0;
+        for (const int pause : {0, 5, 0, 20, 1}) { // [ms]
+            QThread::msleep(static_cast<unsigned long>(pause));
+            workers.forEach(100, [&](std::size_t, std::size_t) { ++calls; });
+        }
+        QCOMPARE(calls.load(), 500);
+    }
+
+    // Parts take a few microseconds. A loop of less has one.
+    void loopsOverFewElementsAreNotShared() {
+        QCOMPARE(Workers::enoughOf(1), std::size_t{2000});
+        QCOMPARE(Workers::enoughOf(20), std::size_t{100});
+        QCOMPARE(Workers::enoughOf(1e6), std::size_t{1});
     }
 
     void workersThatWereMovedWorkOn() {

@@ -95,7 +95,8 @@ struct BallScene {
 /// Where the pairs of these sources are, in the same order.
 inline std::vector<std::uint32_t> placesOf(const BallRows& rows, const std::vector<std::uint32_t>& sources) {
     std::vector<std::uint32_t> placeOf(4 * rows.groups()), places; // by source, which counts from 0
-    rows.forEachPlace([&](std::uint32_t source, std::uint32_t place) { placeOf[source] = place; });
+    rows.forEachPlace(0, rows.groups(),
+                      [&](std::uint32_t source, std::uint32_t place) { placeOf[source] = place; });
     for (const std::uint32_t source : sources) places.push_back(placeOf[source]);
     return places;
 }
