@@ -53,6 +53,20 @@ Scene chimney(int courses) {
     return scene;
 }
 
+/// Blocks of other heights, whose places are rounded as a text of six digits rounds them.
+Scene slenderTower(int count, Random& random) {
+    Scene scene = sceneOf({floorOf(0.6)}, downwards());
+    double height = 0;
+    for (int i = 0; i < count; ++i) {
+        const double tall = random.uniform(0.4, 1.2), wide = random.uniform(1, 1.4);
+        const Vec3 centre(random.uniform(-0.06, 0.06), std::round(1e4 * (height + 0.5 * tall)) / 1e4,
+                          random.uniform(-0.06, 0.06));
+        scene.bodies.push_back(rough(cuboid(Vec3(wide, tall, wide), 5, centre), 0.6));
+        height += tall;
+    }
+    return scene;
+}
+
 } // namespace
 
 class TowersTest : public QObject {
@@ -88,6 +102,21 @@ class TowersTest : public QObject {
             for (std::size_t i = 1; i < scene.bodies.size(); ++i)
                 QCOMPARE(world.state().pose[i].position, scene.bodies[i].pose.position);
         }
+    }
+
+    // By default 9 of 24 such towers leaned by what the tolerance left, at 1e-7 to 1e-5 m/s, and were solved
+    // for again and again until nothing was saved; then they sank in by .03 of a block.
+    void aSlenderTowerComesToRest() {
+        Random random(test::seed);
+        int last = 0;
+        for (int n = 0; n < 12; ++n) {
+            World world = worldOf(slenderTower(44, random), contacts("default"));
+            int frame = 0;
+            while (++frame < 30 && world.statistics().resting < 44) world.step();
+            last = std::max(last, frame);
+        }
+        qInfo("the last is asleep in frame %d", last);
+        QVERIFY(last < 30);
     }
 
     void aTowerStands_data() {

@@ -130,10 +130,7 @@ void IslandMotion::move(const MotionInput& input, const Island& island) {
                 if (!m_springs.empty()) duration = relocated(input, duration);
             }
         }
-        if (duration == left && !isWithin(1) && isWithin(nearlyStill)) {
-            m_tolerance *= finerTolerance;
-            solveVelocities(input, duration, findsImpacts);
-        }
+        if (duration == left) solveFiner(input, duration, findsImpacts);
         if (m_unsolved && !m_contacts.pairs.empty()) return giveUp();
         if (findsImpacts && remaining(input) <= 0 && mayMissImpact(input, duration)) return giveUp();
         if (!findsImpacts && (sinkIn(input, duration) || gainsEnergy(input, duration, mostGainedLast)))

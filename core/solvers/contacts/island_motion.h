@@ -118,6 +118,7 @@ class IslandMotion {
     void takeEnergy(const MotionInput& input, const Island& island, double energy);
     void impacts(const MotionInput& input, double duration, bool findsImpacts);
     void solveVelocities(const MotionInput& input, double duration, bool findsImpacts);
+    void solveFiner(const MotionInput& input, double duration, bool findsImpacts);
     double solvePart(const MotionInput& input, double duration, bool findsImpacts);
     double lessSunkIn(const MotionInput& input, double duration);
     void beginPart(const MotionInput& input, double duration);
