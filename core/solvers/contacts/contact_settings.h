@@ -70,6 +70,11 @@ inline constexpr double shortestPart = 1e-9;
 /// Beyond, no time of impact is found in the rest of the substep. At half, that happens in smaller collapses;
 /// at twice, such a substep costs up to twice as much.
 inline constexpr int mostEvents = 8, mostEventsAccurate = 64, mostEventsPerPoint = 2;
+/// So many times as many where springs hold an island with elastic impacts: bodies that a stiff one presses
+/// together bounce thousands of times a second for ever, and what is left of a substep without located
+/// impacts takes their energy. The budget allows about as many. At half, they lose energy on springs half as
+/// stiff; at twice, the budget ends most of these substeps.
+inline constexpr int mostEventsOnSprings = 64;
 
 /// About how many contact points the default budget of refinement solves for exactly while they move. Larger
 /// islands are warned of large ratios of masses; at twice or half of it that warning begins at another size.

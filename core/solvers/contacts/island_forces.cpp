@@ -118,6 +118,12 @@ double IslandMotion::gentleClosing(const ContactPair& pair) const {
     return (pair.restitution < 1 ? 1 : restingClosing) * m_scale;
 }
 
+// Springs bring bodies together again and again, at any speed within a part however they begin. Where that
+// costs no energy every gap that closes ends in an impact: a force that holds it would take that energy.
+bool IslandMotion::isElasticOnSprings(const ContactPair& pair) const {
+    return !m_springs.empty() && !(pair.restitution < 1);
+}
+
 // A contact that opens faster than gravity alone can reverse within a substep has no force until it closes
 // again: a force during the separation would do work [m/s].
 double IslandMotion::gentleOpening(const ContactPair& pair) const {
@@ -139,7 +145,7 @@ void IslandMotion::chooseRows(const MotionInput& input, double duration, bool fi
         row.bound = std::max(0.0, open) / duration;
         if (open > 0 && findsImpacts) {
             const double closing = -relativeVelocity(m_problem, row).x();
-            if (closing > gentleClosing(pair) || m_scale == 0) {
+            if (closing > gentleClosing(pair) || m_scale == 0 || isElasticOnSprings(pair)) {
                 point.force.setZero();
                 point.rollingTorque.setZero();
                 m_waits[i] = 1;

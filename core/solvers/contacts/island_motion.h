@@ -187,6 +187,7 @@ class IslandMotion {
     void markHeld();
     double gentleClosing(const ContactPair& pair) const;
     double gentleOpening(const ContactPair& pair) const;
+    bool isElasticOnSprings(const ContactPair& pair) const;
     double fastestApproach(const MotionInput& input, const ContactPair& pair) const;
     bool isDeep(const MotionInput& input, const ContactPair& pair, double time, double duration);
     double lessDeep(const MotionInput& input, const ContactPair& pair, double time, double duration);
