@@ -332,6 +332,47 @@ class SpringsTest : public QObject {
         }
     }
 
+    // Two springs pull three elastic balls together, which meet dozens of times in a substep; ωh is 9 and 20.
+    // By default the substep ended without the later impacts, and the contacts took .87 and .56 of the
+    // energy. As they fell, a gap that a spring closed within a part was held by a force, which took .4.
+    void elasticBallsThatSpringsPressTogetherKeepTheirEnergy_data() {
+        QTest::addColumn<Vec3>("a");
+        QTest::addColumn<Vec3>("c");
+        QTest::addColumn<Vec3>("masses");
+        QTest::addColumn<double>("stiffness");
+        QTest::addColumn<Vec3>("fall");
+        QTest::newRow("alike") << Vec3(0.228, 0.169, -0.242) << Vec3(-0.168, -0.267, 0.223)
+                               << Vec3(1.774, 1.139, 1.788) << 3.53e6 << Vec3(0, 0, 0);
+        QTest::newRow("unlike") << Vec3(0.155, 0.154, 0.26) << Vec3(-0.083, -0.208, -0.135)
+                                << Vec3(0.684, 0.672, 1.593) << 7.64e6 << Vec3(0, 0, 0);
+        QTest::newRow("falling") << Vec3(0.24, 0, 0) << Vec3(-0.28, 0, 0) << Vec3(0.64, 0.72, 3.8) << 8.5e4
+                                 << downwards();
+    }
+    void elasticBallsThatSpringsPressTogetherKeepTheirEnergy() {
+        QFETCH(Vec3, a);
+        QFETCH(Vec3, c);
+        QFETCH(Vec3, masses);
+        QFETCH(double, stiffness);
+        QFETCH(Vec3, fall);
+        Scene scene = sceneOf({rough(sphere(0.1, masses[0], a), 0, 1),
+                               rough(sphere(0.1, masses[1], Vec3::Zero()), 0, 1),
+                               rough(sphere(0.1, masses[2], c), 0, 1)},
+                              fall);
+        scene.springs = {springTo(1, stiffness, 0), springTo(2, stiffness, 0)};
+        scene.springs[0].from = 0;
+        scene.springs[1].from = 1;
+        World world = worldOf(scene, contacts("default"));
+        const double start = 0.5 * stiffness * (a.squaredNorm() + c.squaredNorm());
+        double worst = 0;
+        for (int frame = 0; frame < 150; ++frame) {
+            world.step();
+            const double energy = world.statistics().kinetic + world.statistics().potential;
+            worst = std::max(worst, std::abs(energy / start - 1));
+        }
+        qInfo("energy off by %.1e at most", worst);
+        QVERIFY(worst < 1e-7);
+    }
+
     // The bodies come together by the spring alone, faster than gravity could bring them: the pair must be
     // found before they meet. Momentum is kept, whatever is taken from the motion.
     void ballsThatASpringPullsTogetherMeet() {

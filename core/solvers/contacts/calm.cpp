@@ -24,15 +24,14 @@ bool isLong(double time, const Bodies& bodies, BodyIndex body, const Vec3& gravi
     return time * time * gravity.norm() >= calmTime * calmTime * bodies.boundingRadius[body];
 }
 
-/// Whether it is not faster than `part` of √(size g).
+} // namespace
+
 bool isSlowerThan(double part, const Bodies& bodies, const State& state, BodyIndex body,
                   const Vec3& gravity) {
     const double size = bodies.boundingRadius[body];
     const double speed = state.velocity[body].norm() + state.angularVelocity[body].norm() * size;
     return speed * speed <= part * part * gravity.norm() * size;
 }
-
-} // namespace
 
 void Calm::note(const Bodies& bodies, const State& state, std::span<const BodyIndex> list, double time) {
     for (const BodyIndex i : list) {

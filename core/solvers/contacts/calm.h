@@ -30,6 +30,9 @@ inline constexpr double calmSpeed = 0.01;
 /// motion that begins with that speed may be stopped after it has grown by three digits.
 inline constexpr double restSpeed = 1e-8;
 
+/// Whether a body is not faster than `part` of √(size g).
+bool isSlowerThan(double part, const Bodies& bodies, const State& state, BodyIndex body, const Vec3& gravity);
+
 class Calm {
   public:
     /// Where a body was when it last had gone too far, and how long ago [s].

@@ -4,6 +4,7 @@
 #include "core/dynamics/contact_constraint.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 
 // The constants of the method `contacts`. All are relative to the scene's own sizes, gravity and substep:
@@ -69,6 +70,11 @@ inline constexpr double shortestPart = 1e-9;
 /// Beyond, no time of impact is found in the rest of the substep. At half, that happens in smaller collapses;
 /// at twice, such a substep costs up to twice as much.
 inline constexpr int mostEvents = 8, mostEventsAccurate = 64, mostEventsPerPoint = 2;
+/// So many times as many where springs hold an island with elastic impacts: bodies that a stiff one presses
+/// together bounce thousands of times a second for ever, and what is left of a substep without located
+/// impacts takes their energy. The budget allows about as many. At half, they lose energy on springs half as
+/// stiff; at twice, the budget ends most of these substeps.
+inline constexpr int mostEventsOnSprings = 64;
 
 /// About how many contact points the default budget of refinement solves for exactly while they move. Larger
 /// islands are warned of large ratios of masses; at twice or half of it that warning begins at another size.
@@ -77,10 +83,19 @@ inline constexpr int pointsRefined = 192;
 
 /// An island all of whose bodies are slower than the tolerance is at rest. What is left of the contact
 /// problem within the tolerance adds up along a tower: an island not faster than so many times the tolerance
-/// is solved again to a finer one, which is this part of it. At half of the first, towers twice as slow creep
-/// on; at twice, more islands are solved twice. At ten times the second, towers of ten times fewer bodies add
-/// up to the tolerance; at a tenth, it is near rounding in accurate runs.
+/// is solved again to a finer one, which is this part of it. At half of the first, small islands twice as
+/// slow creep on; at twice, more of them are solved twice. At ten times the second, towers of ten times fewer
+/// bodies add up to the tolerance; at a tenth, it is near rounding in accurate runs.
 inline constexpr double nearlyStill = 100, finerTolerance = 0.01;
+
+/// The same for an island of n bodies: where each of a tower turns by what the tolerance leaves, relative to
+/// the one below, the uppermost moves n²/2 times as fast. At half, towers of .7 times as many blocks are
+/// never at rest: they are solved for in every substep, by default until nothing is saved. At twice, islands
+/// that begin to move are solved once more for another substep.
+inline double nearlyStillOf(std::size_t bodies) {
+    const double count = static_cast<double>(bodies);
+    return std::max(nearlyStill, 0.5 * count * count);
+}
 
 /// No tolerance of velocities is finer than this part of |g| h, a hundred times the rounding of a double. At
 /// a hundredth, rounding keeps islands from counting as at rest; at a hundred times, accurate runs lose

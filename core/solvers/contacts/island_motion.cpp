@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace carom {
 namespace {
@@ -21,8 +22,8 @@ bool areStill(const State& state, std::span<const BodyIndex> bodies) {
     });
 }
 
-/// The time of impact of a body on a spring is found again so often at most. At half, stiff springs may leave
-/// an error in it; at twice, they cost up to twice as many solves.
+/// The time of impact of a body on a spring is found again so often by the secant method, before the part is
+/// halved. At half, more substeps are divided; at twice, parts too long for the spring cost twice as much.
 constexpr int mostRelocations = 8;
 /// And until it changes by less than this part. At a thousandth, by rounding only; at a thousand times, an
 /// impact on a spring is wrong by a billionth of its time.
@@ -87,12 +88,15 @@ bool IslandMotion::advance(const MotionInput& input, const Island& island, const
 void IslandMotion::move(const MotionInput& input, const Island& island) {
     const bool accurate = input.settings.tolerance < accurateTolerance;
     const int points = static_cast<int>(m_contacts.points.size());
-    const int most = (accurate ? mostEventsAccurate : mostEvents) + mostEventsPerPoint * points;
+    const int usual = (accurate ? mostEventsAccurate : mostEvents) + mostEventsPerPoint * points;
+    const bool isElastic = std::ranges::any_of(
+        m_contacts.pairs, [&](const ContactPair& pair) { return isElasticOnSprings(pair); });
+    const int most = isElastic ? mostEventsOnSprings * usual : usual;
     int events = 0;
     double longest = input.substep; // part that contacts are likely to be followed through [s]
     for (double left = input.substep; left > 0;) {
         const bool findsImpacts = events < most;
-        m_rattles = 2 * events > most;
+        m_rattles = 2 * events > usual;
         m_left = left;
         // A part that is not finished is undone: bodies whose overlap is corrected here again and again, and
         // which sink in again on the base path in between, would never come to rest.
@@ -130,10 +134,7 @@ void IslandMotion::move(const MotionInput& input, const Island& island) {
                 if (!m_springs.empty()) duration = relocated(input, duration);
             }
         }
-        if (duration == left && !isWithin(1) && isWithin(nearlyStill)) {
-            m_tolerance *= finerTolerance;
-            solveVelocities(input, duration, findsImpacts);
-        }
+        if (duration == left) solveFiner(input, duration, findsImpacts);
         if (m_unsolved && !m_contacts.pairs.empty()) return giveUp();
         if (findsImpacts && remaining(input) <= 0 && mayMissImpact(input, duration)) return giveUp();
         if (!findsImpacts && (sinkIn(input, duration) || gainsEnergy(input, duration, mostGainedLast)))
@@ -244,13 +245,21 @@ double IslandMotion::workOfFriction() const {
 }
 
 // The path of a body on a spring depends on the duration of the part, so the time of impact is found again on
-// the shorter path, until it is the end of the part.
+// the shorter path, until it is the end of the part: by the secant method, and by halves where the part is so
+// long that this leads nowhere. A part that is a little too short ends before the impact; at the end of one
+// too long bodies would overlap.
 double IslandMotion::relocated(const MotionInput& input, double duration) {
     const double shortest = shortestPart * input.substep;
-    for (int round = 0; round < mostRelocations && !m_unsolved && remaining(input) > 0; ++round) {
+    double longer = 0, change = 0; // the duration before, and how much earlier its impact was [s]
+    for (int round = 0; !m_unsolved && remaining(input) > 0; ++round) {
         const double event = firstImpact(input, duration);
         if (duration == shortest || !(event < (1 - relocationEnd) * duration)) break;
-        duration = std::max(event, shortest);
+        const double earlier = duration - event, bend = change - earlier;
+        double next = bend > 0 ? duration - earlier * (longer - duration) / bend : event;
+        if (!(next > 0) || next > event) next = event;
+        if (round >= mostRelocations) next = 0.5 * event;
+        longer = std::exchange(duration, std::max(next, shortest));
+        change = earlier;
         solveVelocities(input, duration, true);
     }
     return duration;

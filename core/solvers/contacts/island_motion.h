@@ -117,6 +117,7 @@ class IslandMotion {
     void takeEnergy(const MotionInput& input, const Island& island, double energy);
     void impacts(const MotionInput& input, double duration, bool findsImpacts);
     void solveVelocities(const MotionInput& input, double duration, bool findsImpacts);
+    void solveFiner(const MotionInput& input, double duration, bool findsImpacts);
     double solvePart(const MotionInput& input, double duration, bool findsImpacts);
     double lessSunkIn(const MotionInput& input, double duration);
     void beginPart(const MotionInput& input, double duration);
@@ -184,6 +185,7 @@ class IslandMotion {
     void markHeld();
     double gentleClosing(const ContactPair& pair) const;
     double gentleOpening(const ContactPair& pair) const;
+    bool isElasticOnSprings(const ContactPair& pair) const;
     double fastestApproach(const MotionInput& input, const ContactPair& pair) const;
     bool isDeep(const MotionInput& input, const ContactPair& pair, double time, double duration);
     double lessDeep(const MotionInput& input, const ContactPair& pair, double time, double duration);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/solvers/contacts/refinement.h"
 
+#include "core/solvers/contacts/calm.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -12,6 +14,10 @@ namespace {
 /// Operations that an island takes that is solved already: for each body, and each pair in contact. At twice,
 /// half as many islands find room in the budget; at half, frames take up to twice their income.
 constexpr double perBody = 300, perPair = 1500;
+/// Finding the forces of an island takes so many times that where none are known; towers of 50 to 320 bricks
+/// took 30 to 70. At half, more attempts fail when a run begins; at twice, towers of half as many bricks are
+/// left to the base path, on which they sink in.
+constexpr double firstTime = 60;
 /// Islands with springs may take so many times more: the base path takes energy out of springs, refinement
 /// does not. At half, smaller networks in contact lose energy; at twice, a frame with springs may cost twice
 /// as much.
@@ -61,9 +67,21 @@ bool Refinement::nearlyRests(const RefinementInput& input, const Island& island)
     });
 }
 
+bool Refinement::isSlow(const RefinementInput& input, const Island& island) const {
+    return std::all_of(island.bodies.begin(), island.bodies.end(), [&](BodyIndex i) {
+        return isSlowerThan(calmSpeed, input.bodies, input.state, i, input.gravity);
+    });
+}
+
 double Refinement::movingWork(const RefinementInput& input, const Island& island, double expected) const {
     if (!island.links.empty() || nearlyRests(input, island)) return 0;
     return expected * static_cast<double>(island.pairs.size());
+}
+
+double Refinement::wholeWork(const Island& island, double expected) const {
+    const bool isSolved = std::all_of(island.bodies.begin(), island.bodies.end(),
+                                      [&](BodyIndex body) { return m_solved[body] != 0; });
+    return isSolved ? expected : firstTime * expected;
 }
 
 double Refinement::openTo(const RefinementInput& input, const RefinementBudget& budget,
@@ -72,7 +90,7 @@ double Refinement::openTo(const RefinementInput& input, const RefinementBudget& 
     const double open = nearlyRests(input, island) ? m_saved : forAll;
     std::uint8_t failures = 0;
     for (const BodyIndex body : island.bodies) failures = std::max(failures, m_failures[body]);
-    const double burst = budget.burst + std::max(0.0, m_saved - budget.saved);
+    const double burst = budget.burst + m_fromStart;
     return std::ldexp(std::max(0.0, std::min(open, burst - m_spent)), -failures);
 }
 
@@ -93,6 +111,7 @@ void Refinement::choose(const RefinementInput& input, const RefinementBudget& bu
     if (input.part == 0) {
         std::fill(m_used.begin(), m_used.end(), 0.0);
         m_spent = 0;
+        m_fromStart = std::max(0.0, m_saved - budget.saved);
     }
     shareOut(input, budget);
     m_learned *= 1 - forgetting / input.parts;
@@ -102,7 +121,10 @@ void Refinement::choose(const RefinementInput& input, const RefinementBudget& bu
     for (const BodyIndex body : input.members)
         if (std::exchange(m_isLone[body], std::uint8_t{0}) != 0) m_lone.push_back(body);
     for (const std::uint32_t island : m_base)
-        for (const BodyIndex body : input.islands[island].bodies) m_stepped[body] = 1;
+        for (const BodyIndex body : input.islands[island].bodies) {
+            m_stepped[body] = 1;
+            m_solved[body] = 0;
+        }
 }
 
 // Finds the islands that may be refined, those first that are expected to cost least, and what becomes of the
@@ -167,15 +189,18 @@ void Refinement::shareOut(const RefinementInput& input, const RefinementBudget& 
         const double times = island.links.empty() ? 1 : forSprings;
         const double floor = times * budget.floor;
         const double share = part * std::min(floor, std::max(0.0, mostFloors * floor - m_spent));
-        double most = std::max(share - used, times * mostOverrun * expected.work);
-        if (expected.open > 0) most += expected.open * expected.work * expected.work / squares;
+        const double drawn = expected.open > 0 ? expected.open * expected.work * expected.work / squares : 0;
+        const bool fits = expected.work <= left;
+        const double most =
+            fits ? drawn + std::max(share - used, times * mostOverrun * expected.work) : drawn;
         const double moving = movingWork(input, island, expected.work);
         const bool willEnd = part == 1 || m_learned * moving <= most;
-        if (expected.work > left || !willEnd) {
+        const bool isPaid = fits || (wholeWork(island, expected.work) <= drawn && isSlow(input, island));
+        if (!willEnd || !isPaid) {
             m_base.push_back(expected.island);
             continue;
         }
-        left -= expected.work;
+        if (fits) left -= expected.work;
         m_moving[island.bodies.front()] = moving;
         m_refined.push_back({expected.island, most});
     }
@@ -198,6 +223,7 @@ void Refinement::setBack(const Island& island) {
         m_failures[body] = failures;
         m_wait[body] = static_cast<std::uint8_t>((1 << failures) - 1);
         m_stepped[body] = 1;
+        m_solved[body] = 0;
     }
 }
 

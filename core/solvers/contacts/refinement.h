@@ -20,11 +20,12 @@
 //                what it is expected to cost; with springs forSprings times as much
 //     saved      what a frame does not use is saved for later, up to a limit, beside a larger sum that a run
 //                begins with: an island that is nearly at rest may use it. Its forces cost much the first
-//                time and are valid for long. If more is saved than that needs, as in accurate runs, any
-//                other island may use it, too, by half as much after every failed attempt: a quarter of it in
-//                a frame at most. Islands share it by the squares of their expected cost, because large ones
-//                need it. The base path's work is paid from the same budget, so bodies that move all the time
-//                save nothing.
+//                time and are valid for long. One that is too large for the budget may, too, if none of it
+//                is faster than what may be put to sleep and its part pays for that first time. If more is
+//                saved than that needs, as in accurate runs, any other island may use it, too, by half as
+//                much after every failed attempt: a quarter of it in a frame at most. Islands share it by the
+//                squares of their expected cost, because large ones need it. The base path's work is paid
+//                from the same budget, so bodies that move all the time save nothing.
 //     presets    differ by the sums alone: `fast` has a quarter of all of them, `accurate` twelve times the
 //                floor, and saves what 200 of its frames may take. What is nearly at rest, how fast the sum
 //                of the start fades, and when creeping bodies sleep (calm.h) is the same in all
@@ -87,7 +88,7 @@ class Refinement {
 
     explicit Refinement(std::size_t bodies)
         : m_used(bodies, 0.0), m_moving(bodies, 0.0), m_wait(bodies, 0), m_failures(bodies, 0),
-          m_stepped(bodies, 0), m_isLone(bodies, 0) {}
+          m_stepped(bodies, 0), m_solved(bodies, 0), m_isLone(bodies, 0) {}
 
     void choose(const RefinementInput& input, const RefinementBudget& budget);
     /// Records the work of an island that was refined.
@@ -112,7 +113,10 @@ class Refinement {
     /// The island's refinement was not finished, or was.
     void setBack(const Island& island);
     void succeeded(const Island& island) {
-        for (const BodyIndex body : island.bodies) m_failures[body] = 0;
+        for (const BodyIndex body : island.bodies) {
+            m_failures[body] = 0;
+            m_solved[body] = 1;
+        }
     }
     /// Whether both bodies, as far as they can move, took the base path in the substep before.
     bool isStepped(const Bodies& bodies, BodyPair pair) const {
@@ -127,17 +131,18 @@ class Refinement {
 
     struct Memory {
         double saved = 0, learned = 0;
-        std::vector<std::uint8_t> wait, failures, stepped;
+        std::vector<std::uint8_t> wait, failures, stepped, solved;
 
-        std::size_t bytes() const { return heldBytes(wait, failures, stepped); }
+        std::size_t bytes() const { return heldBytes(wait, failures, stepped, solved); }
     };
-    Memory memory() const { return {m_saved, m_learned, m_wait, m_failures, m_stepped}; }
+    Memory memory() const { return {m_saved, m_learned, m_wait, m_failures, m_stepped, m_solved}; }
     void recall(const Memory& memory) {
         m_saved = memory.saved;
         m_learned = memory.learned;
         m_wait = memory.wait;
         m_failures = memory.failures;
         m_stepped = memory.stepped;
+        m_solved = memory.solved;
     }
 
   private:
@@ -149,13 +154,18 @@ class Refinement {
     double findExpected(const RefinementInput& input);
     void shareOut(const RefinementInput& input, const RefinementBudget& budget);
     bool nearlyRests(const RefinementInput& input, const Island& island) const;
+    /// Whether no body is faster than what may be put to sleep.
+    bool isSlow(const RefinementInput& input, const Island& island) const;
     /// What the work of an island that moves is in proportion to, 0 of others.
     double movingWork(const RefinementInput& input, const Island& island, double expected) const;
+    /// What an island takes that may be too large for the budget: more where its forces are not known.
+    double wholeWork(const Island& island, double expected) const;
     /// What an island may use of what is saved, if no other does.
     double openTo(const RefinementInput& input, const RefinementBudget& budget, const Island& island) const;
 
     double m_saved = -1;                  // operations; negative: the run begins
     double m_spent = 0;                   // operations in this frame
+    double m_fromStart = 0;               // of the start, when this frame began
     double m_income = 0, m_most = 0;      // of the substep; saved up to
     double m_fades = 1;                   // what a substep leaves of what is saved beyond that
     double m_learned = 0;                 // what islands that move took of late, by m_moving
@@ -164,6 +174,7 @@ class Refinement {
     std::vector<std::uint8_t> m_wait;     // by body: substeps for which its island is not tried
     std::vector<std::uint8_t> m_failures; // by body: failed attempts in a row
     std::vector<std::uint8_t> m_stepped;  // by body, 1: on the base path
+    std::vector<std::uint8_t> m_solved;   // by body, 1: its island was refined to the end the last time
     std::vector<Choice> m_refined;
     std::vector<std::uint32_t> m_base;
     std::vector<std::uint8_t> m_backOff;     // by island [substeps]
