@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 // What a preset costs beside the others, in counted work: `fast` no more than `default`, `accurate` less than
 // a second in any frame. carom-presets (tests/benchmark) times all shipped scenes.
@@ -59,16 +60,19 @@ class PresetsWorkTest : public QObject {
     }
 
     // With one substep a frame, what flies came so far in it that all bodies were one island, of which every
-    // impact looked at all pairs again: 1.2 to 3.7 times the work of default runs, 2.3 times in all.
+    // impact looked at all pairs again: 1.2 to 3.7 times the work of default runs. Each scene counts alike:
+    // how two runs differ in one of them is a matter of chance.
     void fastRunsOfBouncingBodiesCostNoMore() {
-        double fast = 0, usual = 0;
-        for (const std::uint64_t seed : {8, 28, 40, 63, 64, 81, 97, 100}) {
+        const std::vector<std::uint64_t> seeds{8, 28, 40, 63, 64, 81, 97, 100};
+        double times = 0;
+        for (const std::uint64_t seed : seeds) {
             const std::string scene = test::variedScene(seed);
-            fast += workWith(scene, "fast", 60).sum;
-            usual += workWith(scene, "default", 60).sum;
+            const double usual = workWith(scene, "default", 60).sum;
+            QVERIFY(usual > 0);
+            times += workWith(scene, "fast", 60).sum / usual;
         }
-        QVERIFY(usual > 0);
-        QVERIFY(fast <= usual);
+        qInfo("%.3g times the work", times / static_cast<double>(seeds.size()));
+        QVERIFY(times <= static_cast<double>(seeds.size()));
     }
 
     // 39 bodies of a random scene took 1.3e9 operations in one frame.
