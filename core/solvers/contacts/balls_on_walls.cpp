@@ -57,7 +57,7 @@ Vec3 slipOf(const Vec3& normal, double radius, const Vec3& velocity, const Vec3&
 }
 
 /// How a ball moves through a substep, and what the wall does to it.
-struct Motion {
+struct BallMotion {
     Vec3 velocity = Vec3::Zero(), end = Vec3::Zero(); ///< at both ends [m/s]
     Vec3 spin = Vec3::Zero(), turned = Vec3::Zero();  ///< the same [rad/s]
     double pressed = 0;                               ///< along the normal [N s]
@@ -66,15 +66,15 @@ struct Motion {
     double rise = 0;                                  ///< from the wall [m]
 };
 
-Motion motionOf(const SolverInput& input, const ContactPair& pair, const Ball& ball) {
+BallMotion motionOf(const SolverInput& input, const ContactPair& pair, const Ball& ball) {
     const Vec3& normal = normalOf(input.bodies, ball);
     const double h = input.substep, radius = input.bodies.boundingRadius[ball.body];
     const double mass = input.bodies.mass[ball.body], inertia = input.bodies.inertia[ball.body].x();
     const Bounce after =
         ball.lies ? Bounce{.gap = ball.gap, .rests = true}
                   : bounceTrain(std::max(0.0, ball.gap), ball.speed, ball.pull, pair.restitution, h);
-    Motion motion{.velocity = input.state.velocity[ball.body],
-                  .spin = input.state.angularVelocity[ball.body]};
+    BallMotion motion{.velocity = input.state.velocity[ball.body],
+                      .spin = input.state.angularVelocity[ball.body]};
     motion.end = motion.velocity + h * input.gravity;
     motion.turned = motion.spin;
     motion.rise = after.gap - ball.gap;
@@ -92,7 +92,7 @@ Motion motionOf(const SolverInput& input, const ContactPair& pair, const Ball& b
     return motion;
 }
 
-void record(const SolverInput& input, const Ball& ball, const Motion& motion, Ledger& ledger) {
+void record(const SolverInput& input, const Ball& ball, const BallMotion& motion, Ledger& ledger) {
     const Vec3& normal = normalOf(input.bodies, ball);
     const double radius = input.bodies.boundingRadius[ball.body], mass = input.bodies.mass[ball.body];
     const Vec3 weight = mass * input.substep * input.gravity;
@@ -113,7 +113,7 @@ void record(const SolverInput& input, const Ball& ball, const Motion& motion, Le
 
 /// Stops one that is no faster than the tolerance. Nothing acts on a spin about the normal: a slow one ends,
 /// too.
-void settle(const SolverInput& input, const SolverSettings& settings, const Ball& ball, Motion& motion,
+void settle(const SolverInput& input, const SolverSettings& settings, const Ball& ball, BallMotion& motion,
             Ledger* ledger) {
     const Vec3& normal = normalOf(input.bodies, ball);
     const double gravity = input.gravity.norm(), radius = input.bodies.boundingRadius[ball.body];
@@ -136,7 +136,7 @@ void moveOne(const SolverInput& input, const SolverSettings& settings, const Con
              Ledger* ledger) {
     const BodyIndex i = ball.body;
     const Vec3& normal = normalOf(input.bodies, ball);
-    Motion motion = motionOf(input, pair, ball);
+    BallMotion motion = motionOf(input, pair, ball);
     // Along the normal the closed form, across it the mean of both ends.
     const Vec3 way = 0.5 * input.substep * (motion.velocity + motion.end);
     moveBy(way + (motion.rise - normal.dot(way)) * normal, input.state.pose[i].position,
