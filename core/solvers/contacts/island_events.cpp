@@ -299,7 +299,9 @@ double IslandMotion::cornerTime(const MotionInput& input, const ContactPair& pai
         const Vec3 velocityB = velocityAt(pair.b, nearest->onB - poseB.position, t, duration);
         const double closing = manifold.normal.dot(velocityA - velocityB);
         if (!(closing > 0)) return t;
-        t = std::clamp(t + nearest->separation / closing, 0.0, duration);
+        const double next = std::clamp(t + nearest->separation / closing, 0.0, duration);
+        if (next == t) return t;
+        t = next;
     }
     return t;
 }
