@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/base/held_bytes.h"
-#include "core/base/scratch.h"
 #include "core/base/index.h"
+#include "core/base/scratch.h"
 #include "core/math/types.h"
 #include "core/solvers/contacts/lane_packer.h"
 #include "core/solvers/contacts/sections.h"

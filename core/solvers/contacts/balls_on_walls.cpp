@@ -16,8 +16,9 @@
 namespace carom {
 namespace {
 
-/// Balls that one thread moves at least, and whose work is added up together; one takes some .2 us. At half,
-/// waking a thread costs nearly what it saves; at twice, some hundred balls have one.
+/// Balls whose work is added up together, by one thread: a fixed number, so that sums do not depend on how
+/// many threads there are. At half, more sums are added than the threads need; at twice, some hundred balls
+/// have one thread.
 constexpr std::size_t fewBalls = 128;
 
 using Ball = BallsOnWalls::Ball;
