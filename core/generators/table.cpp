@@ -34,7 +34,7 @@ std::string generateTable(const GeneratorRequest& request) {
                                  "the spheres land, move across the top and collide with each other in the\n"
                                  "process. The table only stands: nothing glues the top to its legs.");
     scene.camera({1.4, 1.5, 2.4}, {0, 0.6, 0}, 45);
-    scene.substeps(32);
+    scene.substeps(16);
     scene.wall(Vec3::UnitY(), 0, 0, "gray");
     scene.blankLine();
     for (const double x : {-legPlace, legPlace})

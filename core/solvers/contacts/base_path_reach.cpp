@@ -214,7 +214,7 @@ double BasePath::kickOf(const SteppedInput& input, BodyIndex body, BodyIndex str
     const double byImpact = Neighbours::reachFactor * (1 + restitution) * part *
                             neighbours.approach(bodies, input.state, body, striker);
     return std::min(byImpact,
-                    Neighbours::reachAfter(bodies, body, own, striker, neighbours.reach(striker)) - own);
+                    Neighbours::speedAfter(bodies, body, own, striker, neighbours.reach(striker)) - own);
 }
 
 // Extends the reach of bodies that one of these may strike, as prepare() would: all strike with the reach

@@ -106,7 +106,7 @@ void Candidates::findLarger(const Bodies& bodies, const State& state, BodyIndex 
         if (!mayBeWithin(body, m_body[k])) continue;
         const double reachI = neighbours.reach(i), reachK = neighbours.reach(k);
         const BodyIndex slower = reachI < reachK ? i : k, faster = slower == i ? k : i;
-        const double reach = Neighbours::reachAfter(bodies, slower, std::min(reachI, reachK), faster,
+        const double reach = Neighbours::speedAfter(bodies, slower, std::min(reachI, reachK), faster,
                                                     std::max(reachI, reachK));
         if (!(m_body[slower].reach < reach)) continue;
         if (areWithin(bodies, state, {std::min(i, k), std::max(i, k)}, reachI + reachK))

@@ -40,7 +40,7 @@ class Candidates {
     /// Members that are not placed, ascending.
     std::span<const BodyIndex> free() const { return m_free; }
 
-    /// How far a member's surface may move [m]: a body that is struck may leave as fast as the striker, so
+    /// How far a member's surface may move [m]: a body that is struck may leave faster than it came, so
     /// neighbours share their reach.
     double reach(BodyIndex member) const { return m_body[member].reach; }
     /// Whether members have more pairs within their reach in so many substeps than in one, taken as often.

@@ -12,8 +12,8 @@
 // touch none of them: as long as nothing strikes them they move on a parabola and need not be in an island.
 //
 //     sources   bodies of pairs that may meet as they move, on springs, and on the base path: reached at 0
-//     spread    a body that is reached at t may from then on move anywhere at a speed S, at most reachFactor
-//               times the speed of any body involved; its neighbour k moves on its own path:
+//     spread    a body that is reached at t may from then on move anywhere at a speed S, that of the impact
+//               law (Neighbours::speedAfter); its neighbour k moves on its own path:
 //
 //                   i ──── gap(t) ──── k        t_k = t + (gap(t) − slack)/(S + s_k)
 //

@@ -6,6 +6,7 @@
 #include "core/broadphase/broadphase.h"
 #include "core/dynamics/bodies.h"
 #include "core/dynamics/state.h"
+#include "core/scene/scene.h"
 #include "core/solvers/contacts/course.h"
 #include "core/solvers/contacts/meetings.h"
 #include "core/solvers/contacts/near.h"
@@ -183,31 +184,27 @@ class Neighbours {
                turnIn(bodies, state, a, m_duration) + turnIn(bodies, state, b, m_duration) + m_pull[a] +
                m_pull[b];
     }
-    /// The limit by momentum of a body's speed or distance, which is `own` before a striker with `other` and
-    /// `part` of the mass of both has struck it.
-    static double momentumLimit(double part, double own, double other) {
-        return own + 2 * part * (own + other);
-    }
-    /// How far a mobile body, which moves `own` by itself, may move after `striker`, which moves `other`, has
-    /// struck it [m]: no further than the striker, and than momentum allows.
-    static double reachAfter(const Bodies& bodies, BodyIndex body, double own, BodyIndex striker,
-                             double other) {
-        const double part =
-            bodies.inverseMass[body] / (bodies.inverseMass[body] + bodies.inverseMass[striker]);
-        return std::max(own, std::min(other, momentumLimit(part, own, other)));
-    }
     /// Where strikes spread, a body is looked at again only if it may be faster by more than this part than
     /// it was. At twice, a strike may be taken to reach less far than it does; at half, bodies are looked at
     /// more often.
     static constexpr double worthANewLook = 0.25;
-    /// The largest speed of a mobile body that is `own` fast [m/s] after `striker`, `speed` fast, has struck
-    /// it: limited by momentum, by energy, and by the reach that all searches assume.
+    /// Struck at its end, the surface of a thin rod takes so many times the velocity that its centre takes
+    /// from the same impulse: 1 + (l/2)^2 m/I, with I = m l^2/12.
+    static constexpr double mostEccentric = 4;
+    /// How fast or how far the surface of a mobile body may move, which moves `own` by itself, after
+    /// `striker`, which moves `other`, has struck it. Along the normal its velocity becomes
+    /// (1 - q) v + q v_striker, with q = (1 + e) times its part of what both yield to an impulse; and its
+    /// centre has no more energy than both had, so that no speed grows as it is passed on and back.
     static double speedAfter(const Bodies& bodies, BodyIndex body, double own, BodyIndex striker,
-                             double speed) {
+                             double other) {
         const double inverse = bodies.inverseMass[body], strikers = bodies.inverseMass[striker];
-        const double byMomentum = momentumLimit(inverse / (inverse + strikers), own, speed);
-        const double byEnergy = std::sqrt(own * own + inverse / strikers * speed * speed);
-        return std::min({byMomentum, byEnergy, std::max(reachFactor * own, speed)});
+        const double restitution = pairRestitution(bodies.elastic[body], bodies.elastic[striker]);
+        const bool isBall = std::holds_alternative<Sphere>(bodies.shape[body]);
+        const double yields = (isBall ? 1 : mostEccentric) * inverse;
+        const double part = (1 + restitution) * yields / (yields + strikers);
+        const double byImpact = std::abs(1 - part) * own + part * other;
+        const double byEnergy = std::sqrt(own * own + inverse / strikers * other * other);
+        return std::max(own, std::min(byImpact, byEnergy));
     }
 
     /// The bodies in pairs with `body` that it may meet now, or within `time` [s] while both follow their
@@ -218,10 +215,10 @@ class Neighbours {
     /// The sum of the lengths of all these lists: at least the number of pairs.
     std::size_t ends() const { return m_ends; }
 
-    /// A body may come this many times as far as it would without impacts: an impact may speed it up on the
-    /// way. At half, pairs are missed that meet after an impact within the substep; at twice, there are more
-    /// pairs to look at.
-    static constexpr double reachFactor = 2.2;
+    /// A body may come this many times as far as it would without impacts: several may strike it within the
+    /// substep, and beside its centre. At 1, nothing is left for that; at twice, there are up to half as many
+    /// pairs more to look at where bodies are poured.
+    static constexpr double reachFactor = 1.2;
     /// And always this far, relative to its size, so that forces are remembered through small hops. At half,
     /// bodies that hop a little lose their forces; at twice, there are more pairs to look at.
     static constexpr double leastMargin = 0.01;

@@ -80,7 +80,7 @@ class AllocationTest : public QObject {
         SimulationSettings options;
         options.broadphase = broadphase.toStdString();
         World world = test::worldOf(scene, options);
-        test::run(world, 2500); // the largest crowds have been, in every division
+        test::run(world, 4000); // the largest crowds have been, in every division
 
         const long before = allocations;
         std::uint64_t contacts = 0;

@@ -148,17 +148,41 @@ class ImpulseReachTest : public QObject {
         QVERIFY(heavy.isReached[1]);
         QVERIFY(!heavy.isReached[2]);
     }
-    /// Alike bodies lend their whole reach; a light one lends a heavy one next to nothing.
-    void reachIsLentAsFarAsMomentumAllows() {
+    /// Alike bodies lend their whole speed; a light one lends a heavy one next to nothing, and a heavy one
+    /// lends a light one nearly twice its own.
+    void speedIsLentAsFarAsAnImpactAllows() {
         Scene scene;
         for (const double mass : {1.0, 1.0, 1e6})
             scene.bodies.push_back(test::sphere(ballRadius, mass, Vec3::Zero()));
         const Bodies bodies = bodiesOf(scene);
-        QCOMPARE(Neighbours::reachAfter(bodies, 0, 0.0, 1, 3.0), 3.0);
-        QCOMPARE(Neighbours::reachAfter(bodies, 0, 0.0, 2, 3.0), 3.0);
-        QCOMPARE(Neighbours::reachAfter(bodies, 0, 3.0, 1, 1.0), 3.0);
-        const double heavy = Neighbours::reachAfter(bodies, 2, 0.0, 0, 3.0);
-        QVERIFY(heavy > 0 && heavy < 1e-5);
+        QCOMPARE(Neighbours::speedAfter(bodies, 0, 0.0, 1, 3.0), 3.0);
+        QCOMPARE(Neighbours::speedAfter(bodies, 0, 3.0, 1, 1.0), 3.0);
+        QCOMPARE(Neighbours::speedAfter(bodies, 0, 0.0, 2, 3.0), 6 / (1 + 1e-6));
+        QCOMPARE(Neighbours::speedAfter(bodies, 2, 0.0, 0, 3.0), 6 / (1 + 1e6));
+    }
+    /// Against the impact law, v' = v - (1 + e) m/(m + m') (v - v'), for balls that meet head-on: nobody is
+    /// faster after an impact, and whoever is struck by a faster one may be as fast as that.
+    void speedAfterAnImpactIsItsLeastBound() {
+        qInfo("seed %llu", static_cast<unsigned long long>(test::seed));
+        Random random(test::seed, 213);
+        std::size_t reached = 0;
+        for (int trial = 0; trial < 1000; ++trial) {
+            Scene scene;
+            for (int i = 0; i < 2; ++i)
+                scene.bodies.push_back(
+                    test::sphere(ballRadius, std::pow(10, random.uniform(-2, 2)), Vec3::Zero()));
+            scene.bodies[0].elastic = scene.bodies[1].elastic = random.uniform(0, 1);
+            const Bodies bodies = bodiesOf(scene);
+            const double own = random.uniform(0, 5), other = random.uniform(0, 5);
+            const double bound = Neighbours::speedAfter(bodies, 0, own, 1, other);
+            for (const double velocity : {own, -own}) {
+                const double part = bodies.inverseMass[0] / (bodies.inverseMass[0] + bodies.inverseMass[1]);
+                const double after = velocity - (1 + bodies.elastic[0]) * part * (velocity - other);
+                QVERIFY(std::abs(after) <= bound * (1 + 1e-12));
+                reached += std::abs(after) > bound * (1 - 1e-12) ? 1 : 0;
+            }
+        }
+        QVERIFY(reached > 100);
     }
     /// Random crowds of mixed masses: whoever takes part in an impact is reached.
     void nobodyWhoIsStruckIsLeftOut() {
