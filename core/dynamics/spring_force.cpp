@@ -16,6 +16,11 @@ Vec3 pointNow(const State& state, BodyIndex body, const Vec3& at) {
     return body == noBody ? at : state.pose[body].toWorld(at);
 }
 
+Vec3 velocityNow(const State& state, BodyIndex body, const Vec3& at) {
+    if (body == noBody) return Vec3::Zero();
+    return state.velocity[body] + state.angularVelocity[body].cross(state.pose[body].orientation * at);
+}
+
 } // namespace
 
 std::vector<SpringForce> springsOf(const Scene& scene) {
@@ -35,14 +40,27 @@ std::vector<SpringForce> springsOf(const Scene& scene) {
     return springs;
 }
 
+Vec3 apartOf(const SpringForce& spring, const State& state) {
+    return pointNow(state, spring.to, spring.toAt) - pointNow(state, spring.from, spring.fromAt);
+}
+
+Vec3 forceOf(const SpringForce& spring, const State& state) {
+    const Vec3 apart = apartOf(spring, state);
+    const double length = apart.norm();
+    if (!(length > 0)) return Vec3::Zero();
+    const Vec3 along = apart / length;
+    const Vec3 speed =
+        velocityNow(state, spring.to, spring.toAt) - velocityNow(state, spring.from, spring.fromAt);
+    return -(spring.stiffness * (length - spring.length) + spring.damping * along.dot(speed)) * along;
+}
+
 double springEnergy(const SpringForce& spring, double length) {
     const double stretch = length - spring.length;
     return 0.5 * spring.stiffness * stretch * stretch;
 }
 
 double springEnergy(const SpringForce& spring, const State& state) {
-    const Vec3 apart = pointNow(state, spring.to, spring.toAt) - pointNow(state, spring.from, spring.fromAt);
-    return springEnergy(spring, apart.norm());
+    return springEnergy(spring, lengthOf(spring, state));
 }
 
 double springEnergy(const std::vector<SpringForce>& springs, const State& state) {

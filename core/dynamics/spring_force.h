@@ -33,6 +33,14 @@ struct SpringForce {
 /// not given are those at the start.
 std::vector<SpringForce> springsOf(const Scene& scene);
 
+/// From the first point of a spring to the second, as they are now [m].
+Vec3 apartOf(const SpringForce& spring, const State& state);
+inline double lengthOf(const SpringForce& spring, const State& state) {
+    return apartOf(spring, state).norm();
+}
+/// What the spring does to `to` as it is now [N].
+Vec3 forceOf(const SpringForce& spring, const State& state);
+
 /// What a spring of this length [m] stores [J].
 double springEnergy(const SpringForce& spring, double length);
 /// The same as it is now.

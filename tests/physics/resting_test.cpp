@@ -27,6 +27,17 @@ Body box(double x, double height) {
     return rough(cuboid(Vec3(edge, edge, edge), 1, Vec3(x, height, 0)), 0.5);
 }
 
+/// A spring from a hook at x = z = 0 to the centre of a body below.
+Spring hookAbove(BodyIndex body, double height, double stiffness, double length, double damping) {
+    Spring spring;
+    spring.to = body;
+    spring.fromAt = Vec3(0, height, 0);
+    spring.stiffness = stiffness;
+    spring.length = length;
+    spring.damping = damping;
+    return spring;
+}
+
 /// Ten boxes on each other at x, and a floor.
 Scene towerAt(double x) {
     Scene scene = sceneOf({floorOf(0.5)}, downwards());
@@ -255,6 +266,106 @@ class RestingTest : public QObject {
         QVERIFY(std::abs(ledger[LedgerAccount::Gravity].momentum.y() + weight) < 1e-12 * weight);
         QCOMPARE(world.statistics().unexplained.momentum.norm(), 0.0);
         QCOMPARE(world.statistics().unexplained.energy, 0.0);
+    }
+
+    // A box on a damped spring sinks by m g/k and is left alone there, while the spring bears its weight; a
+    // ball that falls on it makes it swing again.
+    void aBoxHungOnADampedSpringComesToRest() {
+        constexpr double stiffness = 100, length = 2, height = 8; // [N/m], [m], [m]
+        Scene scene = sceneOf({floorOf(0.5), box(0, height - length)}, downwards());
+        scene.springs = {hookAbove(1, height, stiffness, length, 10)};
+        scene.bodies.push_back(rough(sphere(0.2, 1, Vec3(0.1, 900, 0)), 0.5));
+        World world = worldOf(scene, contacts("default"));
+        world.keepLedger(true);
+        run(world, 600);
+        QCOMPARE(world.statistics().resting, 1U);
+        QVERIFY(std::abs(world.state().pose[1].position.y() - (height - length - gravity / stiffness)) <
+                1e-6);
+        const Ledger& ledger = world.statistics().ledger;
+        const double weight = gravity * world.pipeline().settings().step; // in a frame [N s]
+        QVERIFY(std::abs(ledger[LedgerAccount::Spring].momentum.y() - weight) < 1e-6 * weight);
+        QVERIFY(world.statistics().unexplained.momentum.norm() < 1e-9 * weight);
+        double lowest = height;
+        for (int frame = 0; frame < 600; ++frame) {
+            world.step();
+            lowest = std::min(lowest, world.state().pose[1].position.y());
+        }
+        QVERIFY(lowest < height - length - gravity / stiffness - 0.1);
+    }
+
+    // x = A cos(ω t) with a period of ten minutes, on a floor without friction: at first it is slower than
+    // what counts as rest elsewhere, for longer than a box alone would have to be.
+    void whatASpringWithoutDamperMovesIsNeverLeftAlone() {
+        constexpr double amplitude = 1e-4, rate = 0.01; // [m], [rad/s]
+        Scene scene = sceneOf({floorOf(0)}, downwards());
+        scene.bodies.push_back(rough(box(amplitude, 0.5 * edge), 0, 0.5));
+        Spring spring;
+        spring.to = 1;
+        spring.fromAt = Vec3(0, 0.5 * edge, 0);
+        spring.stiffness = rate * rate;
+        spring.length = 0;
+        scene.springs = {spring};
+        World world = worldOf(scene, contacts("default"));
+        for (int frame = 0; frame < 3000; ++frame) {
+            world.step();
+            QCOMPARE(world.statistics().resting, 0U);
+        }
+        const double expected = amplitude * std::cos(rate * world.state().time);
+        QVERIFY(std::abs(world.state().pose[1].position.x() - expected) < 1e-3 * amplitude);
+    }
+
+    // Boxes fall into a bin, every third tied to the next by a damped spring; all of them come to rest, and
+    // keep what their springs store. What meets one wakes the other, which it does not touch.
+    void aHeapTiedByDampedSpringsComesToRest() {
+        Scene scene = sceneOf({floorOf(0.5)}, downwards());
+        for (const Vec3& normal : {Vec3(1, 0, 0), Vec3(-1, 0, 0), Vec3(0, 0, 1), Vec3(0, 0, -1)})
+            scene.bodies.push_back(rough(wall(normal, -1), 0.5));
+        const BodyIndex first = static_cast<BodyIndex>(scene.bodies.size());
+        constexpr BodyIndex boxes = 64;
+        Random random(3, 1);
+        for (BodyIndex i = 0; i < boxes; ++i) {
+            const Vec3 place(0.45 * (i % 4) - 0.675, 0.3 + 0.45 * (i / 16), 0.45 * (i / 4 % 4) - 0.675);
+            const Vec3 turn(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+            scene.bodies.push_back(rough(turned(cuboid(Vec3::Constant(0.25), 1, place), turn), 0.5, 0.1));
+        }
+        for (BodyIndex i = first; i + 1 < first + boxes; i += 3) {
+            Spring spring;
+            spring.from = i;
+            spring.to = i + 1;
+            spring.stiffness = 500;
+            spring.damping = 10;
+            scene.springs.push_back(spring);
+        }
+        World world = worldOf(scene, contacts("default"));
+        run(world, 600);
+        QCOMPARE(world.statistics().resting, static_cast<std::uint64_t>(boxes));
+        QCOMPARE(world.statistics().kinetic, 0.0);
+        const std::vector<Pose> before = world.state().pose;
+        run(world, 60);
+        for (std::size_t i = 0; i < before.size(); ++i)
+            QVERIFY(world.state().pose[i].position == before[i].position);
+    }
+
+    // Two boxes far apart on a rough floor, joined by a spring: what strikes the one wakes both.
+    void whatStrikesOneEndOfASpringWakesTheOther() {
+        Scene scene = sceneOf({floorOf(0.5), box(0, 0.5 * edge), box(5, 0.5 * edge)}, downwards());
+        Spring spring;
+        spring.from = 1;
+        spring.to = 2;
+        spring.stiffness = 200;
+        spring.damping = 5;
+        scene.springs = {spring};
+        scene.bodies.push_back(moving(rough(sphere(0.3, 1, Vec3(-20.8, 0.7, 0)), 0), Vec3(4, 24.5, 0)));
+        World world = worldOf(scene, contacts("default"));
+        bool rested = false, woke = false;
+        for (int frame = 0; frame < 400; ++frame) {
+            world.step();
+            rested = rested || world.statistics().resting == 2;
+            woke = woke || (rested && world.statistics().resting == 0);
+        }
+        QVERIFY(rested);
+        QVERIFY(woke);
+        QVERIFY(world.state().pose[2].position.x() > 5.01);
     }
 };
 

@@ -126,6 +126,11 @@ class BasePath {
         for (SteppedMotion& block : m_blocks)
             if (!block.isEmpty()) block.hold(input, manifolds, is);
     }
+    /// Sets what slowestTime() (calm.h) gives of their island, by body at the end of a spring [s].
+    void findSlowest(const SteppedInput& input, std::vector<double>& slowest) {
+        for (SteppedMotion& block : m_blocks)
+            if (!block.isEmpty()) block.findSlowest(input, slowest);
+    }
     std::size_t stillBodies() const {
         std::size_t sum = 0;
         for (const SteppedMotion& block : m_blocks) sum += block.isEmpty() ? 0 : block.stillBodies();

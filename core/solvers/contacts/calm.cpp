@@ -26,6 +26,18 @@ bool isLong(double time, const Bodies& bodies, BodyIndex body, const Vec3& gravi
 
 } // namespace
 
+double slowestTime(const Bodies& bodies, const State& state, std::span<const std::uint32_t> springs,
+                   double mass, const Vec3& gravity) {
+    double slowest = 0;
+    for (const std::uint32_t index : springs) {
+        const SpringForce& spring = bodies.springs[index];
+        if (!(spring.stiffness > 0)) continue; // a damper alone has no place that it moves bodies to
+        slowest = std::max({slowest, std::sqrt(mass / spring.stiffness), spring.damping / spring.stiffness,
+                            std::sqrt(lengthOf(spring, state) / gravity.norm())});
+    }
+    return slowest;
+}
+
 bool isSlowerThan(double part, const Bodies& bodies, const State& state, BodyIndex body,
                   const Vec3& gravity) {
     const double size = bodies.boundingRadius[body];
@@ -33,15 +45,26 @@ bool isSlowerThan(double part, const Bodies& bodies, const State& state, BodyInd
     return speed * speed <= part * part * gravity.norm() * size;
 }
 
-void Calm::note(const Bodies& bodies, const State& state, std::span<const BodyIndex> list, double time) {
+Calm::Calm(const Bodies& bodies)
+    : m_stays(bodies.count()), m_hold(bodies.count(), Hold::Free),
+      m_floating(bodies.count(), Floating::Unknown) {
+    for (const SpringForce& spring : bodies.springs)
+        for (const BodyIndex end : {spring.from, spring.to})
+            if (end != noBody)
+                m_hold[end] = std::max(m_hold[end], spring.damping > 0 ? Hold::Damped : Hold::Undamped);
+}
+
+void Calm::note(const Bodies& bodies, const State& state, std::span<const BodyIndex> list,
+                const Vec3& gravity, double time) {
     for (const BodyIndex i : list) {
         Stay& stay = m_stays[i];
         const double way = Neighbours::displacement(bodies, i, stay.from, state.pose[i]);
         if (way <= calmWay * bodies.boundingRadius[i])
             stay.time += time;
         else
-            stay = {.from = state.pose[i]};
-        stay.slow = 0;
+            stay = {.from = state.pose[i], .slow = stay.slow};
+        const bool isSlow = isOnSpring(i) && isSlowerThan(restSpeed, bodies, state, i, gravity);
+        stay.slow = isSlow ? stay.slow + time : 0;
     }
 }
 
@@ -59,8 +82,16 @@ bool Calm::areAtRest(const Bodies& bodies, std::span<const BodyIndex> list, cons
            });
 }
 
-bool Calm::isCalm(const Bodies& bodies, const State& state, BodyIndex body, const Vec3& gravity) const {
-    return isLong(m_stays[body].time, bodies, body, gravity) &&
+bool Calm::haveRested(std::span<const BodyIndex> list, double slowest) const {
+    return std::all_of(list.begin(), list.end(),
+                       [&](BodyIndex i) { return !isOnSpring(i) || m_stays[i].slow >= calmTime * slowest; });
+}
+
+bool Calm::isCalm(const Bodies& bodies, const State& state, BodyIndex body, const Vec3& gravity,
+                  double slowest) const {
+    const Stay& stay = m_stays[body];
+    const double time = m_hold[body] == Hold::Undamped ? stay.slow : stay.time;
+    return isLong(time, bodies, body, gravity) && time >= calmTime * slowest &&
            isSlowerThan(calmSpeed, bodies, state, body, gravity);
 }
 

@@ -19,6 +19,17 @@
 // left of the tolerance adds up along a tower: 100 cubes creep at 500 times what one does, for ever. So a
 // refined island is at rest, too, whose bodies have all been slower than restSpeed for the time above. It is
 // the same speed whatever the tolerance.
+//
+// A spring may move its bodies so slowly that this shows in no such time: a swing is slow where it turns. So
+// bodies on springs must stay for as many times
+//
+//     τ = max( √(M/k), c/k, √(l/g) )
+//
+//     legend   M  mass of their island [kg]      k, c, l  stiffness, damping and length of a spring of it
+//
+// In five of them a swing passes through its fastest place; of a spring that its damper slows down, less than
+// a hundredth of the way is left. What an undamped spring moves, and any island on springs that is refined,
+// is at rest only as long as it is not faster than restSpeed.
 
 namespace carom {
 
@@ -30,6 +41,10 @@ inline constexpr double calmSpeed = 0.01;
 /// motion that begins with that speed may be stopped after it has grown by three digits.
 inline constexpr double restSpeed = 1e-8;
 
+/// τ of these springs of the scene, in an island of this mass [s].
+double slowestTime(const Bodies& bodies, const State& state, std::span<const std::uint32_t> springs,
+                   double mass, const Vec3& gravity);
+
 /// Whether a body is not faster than `part` of √(size g).
 bool isSlowerThan(double part, const Bodies& bodies, const State& state, BodyIndex body, const Vec3& gravity);
 
@@ -39,20 +54,28 @@ class Calm {
     struct Stay {
         Pose from;
         double time = 0;
-        double slow = 0; ///< for how long it has not been faster than restSpeed, while refined [s]
+        double slow = 0; ///< for how long it has not been faster than restSpeed, while refined or on a spring
+                         ///< [s]
     };
 
-    explicit Calm(std::size_t bodies) : m_stays(bodies), m_floating(bodies, Floating::Unknown) {}
+    explicit Calm(const Bodies& bodies);
+
+    bool isOnSpring(BodyIndex body) const { return m_hold[body] != Hold::Free; }
 
     /// Takes note of another `time` [s] of bodies.
-    void note(const Bodies& bodies, const State& state, std::span<const BodyIndex> list, double time);
+    void note(const Bodies& bodies, const State& state, std::span<const BodyIndex> list, const Vec3& gravity,
+              double time);
     /// The same of refined bodies.
     void noteRefined(const Bodies& bodies, const State& state, std::span<const BodyIndex> list,
                      const Vec3& gravity, double time);
-    /// Whether refined bodies that nothing but contacts and gravity acts on have come to rest.
+    /// Whether refined bodies that nothing but contacts, springs and gravity acts on have come to rest.
     bool areAtRest(const Bodies& bodies, std::span<const BodyIndex> list, const Vec3& gravity);
-    /// Whether a body has stayed for long enough, and is slow now; never without gravity.
-    bool isCalm(const Bodies& bodies, const State& state, BodyIndex body, const Vec3& gravity) const;
+    /// Whether those on springs among them have been for long enough; `slowest` is τ of their island [s].
+    bool haveRested(std::span<const BodyIndex> list, double slowest) const;
+    /// Whether a body has stayed for long enough, and is slow now; never without gravity. `slowest` is τ of
+    /// its island, if it is on a spring [s].
+    bool isCalm(const Bodies& bodies, const State& state, BodyIndex body, const Vec3& gravity,
+                double slowest = 0) const;
     /// Whether force terms could bear a body's weight, or a part of it, while it is calm: then it need not
     /// lie on anything. The terms are asked once a run; gravity is the same all the time.
     bool mayFloat(const Bodies& bodies, BodyIndex body, const Vec3& gravity);
@@ -64,8 +87,10 @@ class Calm {
 
   private:
     enum class Floating : std::uint8_t { Unknown, No, Yes };
+    enum class Hold : std::uint8_t { Free, Damped, Undamped }; ///< Undamped: one of its springs is
 
     std::vector<Stay> m_stays;
+    std::vector<Hold> m_hold;         ///< by body
     std::vector<Floating> m_floating; ///< by body
 };
 

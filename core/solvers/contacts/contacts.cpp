@@ -18,7 +18,8 @@ SolverReport Contacts::rest(const SolverInput& input) {
     report.resting = m_sleeping.bodies().size();
     report.contacts = m_sleeping.contacts().pairs.size();
     report.maxPenetration = m_sleeping.deepest();
-    if (input.ledger != nullptr) m_sleeping.record(input.bodies, input.gravity, input.substep, *input.ledger);
+    if (input.ledger != nullptr)
+        m_sleeping.record(input.bodies, input.state, input.gravity, input.substep, *input.ledger);
     m_work = {};
     m_refinement.pay(0, baseOperations());
     return report;
@@ -189,7 +190,8 @@ void Contacts::moveRefined(const SolverInput& input, SolverReport& report) {
     std::swap(m_contacts, m_kept);
     moveBalls(input, report);
     report.coneViolation = std::max(coneViolationOf(m_contacts), coneViolationOf(m_sleeping.contacts()));
-    if (input.ledger != nullptr) m_sleeping.record(input.bodies, input.gravity, input.substep, *input.ledger);
+    if (input.ledger != nullptr)
+        m_sleeping.record(input.bodies, input.state, input.gravity, input.substep, *input.ledger);
     if (!m_settings.resting) return;
     const bool isLast = input.part + 1 == input.parts; // flights expect those that were awake to stay so
     if (isLast)
@@ -222,9 +224,15 @@ void Contacts::moveBalls(const SolverInput& input, SolverReport& report) {
 
 // What creeps within what the tolerance leaves is at rest.
 void Contacts::sleepIfCreeping(const SolverInput& input, const Island& island, bool isLast) {
-    if (!island.links.empty() || m_sleeping.isAsleep(island.bodies.front())) return;
+    if (m_sleeping.isAsleep(island.bodies.front())) return;
     m_calm.noteRefined(input.bodies, input.state, island.bodies, input.gravity, input.substep);
     if (!isLast || !m_calm.areAtRest(input.bodies, island.bodies, input.gravity)) return;
+    if (!island.links.empty()) {
+        double mass = 0;
+        for (const BodyIndex i : island.bodies) mass += input.bodies.mass[i];
+        const double slowest = slowestTime(input.bodies, input.state, island.links, mass, input.gravity);
+        if (!m_calm.haveRested(island.bodies, slowest)) return;
+    }
     stop(input.bodies, island.bodies, input.state, input.ledger);
     fallAsleep(island.bodies);
 }
@@ -255,7 +263,7 @@ void Contacts::moveStepped(const SolverInput& input, SolverReport& report) {
         stepIsland(input, island, unfinished.left, report);
     }
     if (report.loss) return;
-    m_calm.note(input.bodies, input.state, m_passing, input.substep);
+    m_calm.note(input.bodies, input.state, m_passing, input.gravity, input.substep);
     for (const BodyIndex body : m_passing) m_refinement.waited(body);
     for (const BodyIndex body : m_active) {
         if (!m_base.has(body)) continue;
@@ -305,12 +313,13 @@ void Contacts::sleepWhatRests(const SolverInput& input) {
     m_entering.clear();
     for (const BodyIndex i : m_active) // what has settled is calm
         if (m_base.has(i)) m_entering.push_back(i);
-    m_calm.note(input.bodies, input.state, m_entering, input.parts * input.substep);
+    m_calm.note(input.bodies, input.state, m_entering, input.gravity, input.parts * input.substep);
+    if (!(input.gravity.norm() > 0)) return;
+    m_base.findSlowest(stepped(input), m_slowest);
     const auto isCalm = [&](BodyIndex body) {
-        return m_isOnSpring[body] == 0 && m_calm.isCalm(input.bodies, input.state, body, input.gravity) &&
+        return m_calm.isCalm(input.bodies, input.state, body, input.gravity, m_slowest[body]) &&
                !m_calm.mayFloat(input.bodies, body, input.gravity);
     };
-    if (!(input.gravity.norm() > 0)) return;
     m_base.markIslands(isCalm);
     if (m_base.anyMarked()) sleepMarked(input, isCalm);
     m_base.hold(stepped(input), m_found.manifolds(), isCalm);

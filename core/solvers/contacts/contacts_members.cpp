@@ -71,11 +71,11 @@ void Contacts::listActive(const SolverInput& input) {
         if (m_base.isStill(i)) settled.begin(i);
 }
 
-// Whether nothing will change of a body that stood still when the substep began, and has not been woken: no
-// such body is on a spring.
+// Whether nothing will change of a body that stood still when the substep began, and has not been woken. Of
+// one on a spring the time for which it has stayed is still asked.
 bool Contacts::maySettle(BodyIndex body) const {
-    return m_base.isStill(body) && m_backOff[body] == 0 && !m_refinement.waits(body) &&
-           !m_bodies.forces.actOn(body) && m_neighbours.maySettle(body);
+    return m_base.isStill(body) && m_isOnSpring[body] == 0 && m_backOff[body] == 0 &&
+           !m_refinement.waits(body) && !m_bodies.forces.actOn(body) && m_neighbours.maySettle(body);
 }
 
 // Makes members of bodies that fly or sleep and that members may reach, and of those that these may reach.

@@ -64,13 +64,19 @@ void SleepingBodies::exchange(const Bodies& bodies, ContactSet& moving) {
     std::swap<ContactSet>(moving, m_moves);
 }
 
-void SleepingBodies::record(const Bodies& bodies, const Vec3& gravity, double duration,
+void SleepingBodies::record(const Bodies& bodies, const State& state, const Vec3& gravity, double duration,
                             Ledger& ledger) const {
     double mass = 0;
     for (const BodyIndex i : m_bodies) mass += bodies.mass[i];
     const Vec3 weight = (mass * duration) * gravity;
     ledger[LedgerAccount::Gravity].momentum += weight;
-    ledger[LedgerAccount::Contact].momentum -= weight;
+    Vec3 pull = Vec3::Zero(); // [N s]
+    const auto sleeps = [this](BodyIndex i) { return i != noBody && isAsleep(i); };
+    for (const SpringForce& spring : bodies.springs)
+        if (sleeps(spring.from) != sleeps(spring.to))
+            pull += (sleeps(spring.to) ? duration : -duration) * forceOf(spring, state);
+    ledger[LedgerAccount::Spring].momentum += pull;
+    ledger[LedgerAccount::Contact].momentum -= weight + pull;
 }
 
 ContactSet merged(const ContactSet& one, const ContactSet& other) {

@@ -48,8 +48,10 @@ class SleepingBodies {
     /// woken. Pairs ascend in both sets.
     void exchange(const Bodies& bodies, ContactSet& moving);
 
-    /// Records in the audit that contact forces bear the weight of sleeping bodies over `duration` [s].
-    void record(const Bodies& bodies, const Vec3& gravity, double duration, Ledger& ledger) const;
+    /// Records in the audit that contact forces bear the weight of sleeping bodies over `duration` [s], but
+    /// for what springs to immobile bodies and to the world bear of it.
+    void record(const Bodies& bodies, const State& state, const Vec3& gravity, double duration,
+                Ledger& ledger) const;
 
   private:
     std::vector<BodyIndex> m_next; // by body: the next one of its island, in a ring; noBody: it is awake

@@ -44,6 +44,10 @@ StepSettings forBalls(StepSettings settings) {
     return settings;
 }
 
+std::uint32_t movingEnd(const SpringRow& spring, const StillBodies& still) {
+    return still.is(spring.a) ? spring.b : spring.a;
+}
+
 // The first body of a list whose velocity or spin is not finite, or 0.
 CAROM_WIDE std::uint32_t firstNotFinite(std::span<const SolverBody> bodies,
                                         std::span<const std::uint32_t> list) {
@@ -317,8 +321,9 @@ void SteppedMotion::step(const SteppedInput& input, double duration, Manifolds& 
         m_free[i] = {.velocity = m_bodies[i].velocity, .spin = m_bodies[i].spin};
     });
     if (!input.bodies.forces.empty()) applyTerms(input, duration);
-    prepareSprings(input.bodies, input.state, m_links, m_local, immobile, duration, m_bodies, m_springs);
-    if (!m_links.empty()) rememberSprings(input);
+    findPulling(input.bodies);
+    prepareSprings(input.bodies, input.state, m_pulling, m_local, immobile, duration, m_bodies, m_springs);
+    if (!m_pulling.empty()) rememberSprings(input);
     if (bounces) {
         findParts();
         m_energy.remember(m_bodies, movingParts(), parts(), input.workers);
@@ -332,7 +337,7 @@ void SteppedMotion::step(const SteppedInput& input, double duration, Manifolds& 
         sweep(settings, input.workers, report);
     }
     limitEnergy(settings, input.workers, true);
-    if (!m_links.empty()) limitSprings(input, settings, report);
+    if (!m_pulling.empty()) limitSprings(input, settings, report);
     if (const std::uint32_t lost = firstNotFinite(m_bodies, m_moving.awake); lost != immobile) {
         const bool isVelocity = !vectorOf(m_bodies[lost].velocity).allFinite();
         report.loss = {m_list[lost - 1], isVelocity ? "velocity" : "angular velocity"};
@@ -354,7 +359,7 @@ void SteppedMotion::step(const SteppedInput& input, double duration, Manifolds& 
     removeAdded(false);
     if (bounces) rebound(settings, input.workers, report);
     removeAdded(true);
-    if (!m_links.empty()) m_springLimit.keep(springIslands(input), 0, m_bodies);
+    if (!m_pulling.empty()) m_springLimit.keep(springIslands(input), 0, m_bodies);
     forAwake(input.workers, [&](std::uint32_t i) {
         input.state.velocity[m_list[i - 1]] = vectorOf(m_bodies[i].velocity);
         input.state.angularVelocity[m_list[i - 1]] = vectorOf(m_bodies[i].spin);
@@ -374,7 +379,7 @@ void SteppedMotion::limitEnergy(const StepSettings& settings, Workers& workers, 
     for (const std::uint32_t i : m_moving.awake)
         m_stepEnergy.allow(part[i], 0.5 * settings.resting * settings.resting / m_bodies[i].inverseMass);
     for (const SpringRow& spring : m_springs) // m_springLimit is theirs
-        m_stepEnergy.allow(part[std::max(spring.a, spring.b)], std::numeric_limits<double>::infinity());
+        m_stepEnergy.allow(part[movingEnd(spring, m_still)], std::numeric_limits<double>::infinity());
     if (corrects) {
         findCorrection(settings);
         for (std::size_t i = 1; i < m_corrected.size(); ++i) m_stepEnergy.allow(part[i], m_corrected[i]);
@@ -430,7 +435,7 @@ void SteppedMotion::rebound(const StepSettings& settings, Workers& workers, Step
     if (impacts == 0) return;
     report.work.impacts += static_cast<std::uint64_t>(impacts);
     for (const SpringRow& spring : m_springs)
-        m_energy.allow(partOf()[std::max(spring.a, spring.b)], workOf(spring, m_bodies));
+        m_energy.allow(partOf()[movingEnd(spring, m_still)], workOf(spring, m_bodies));
     copyVelocities(m_bodies, m_moving.awake, m_before);
     const int passes = m_balls.rebound(m_bodies, m_moved, settings, mostStrikes, active, workers);
     report.work.rowsSwept +=
@@ -441,7 +446,7 @@ void SteppedMotion::rebound(const StepSettings& settings, Workers& workers, Step
 }
 
 SpringIslands SteppedMotion::springIslands(const SteppedInput& input) const {
-    return {input.bodies, input.state, m_links, m_local, m_island, m_groups.size()};
+    return {input.bodies, input.state, m_pulling, m_local, m_island, m_groups.size()};
 }
 
 // Stores the energy that islands with springs may have when the step ends.
@@ -450,6 +455,8 @@ void SteppedMotion::rememberSprings(const SteppedInput& input) {
     for (const Entry& entry : m_entries)
         if (m_local[entry.pair.a] == immobile || m_local[entry.pair.b] == immobile)
             m_springLimit.hold(m_island[numberOf(entry.pair)]);
+    for (std::uint32_t island = 0; island < m_groups.size(); ++island)
+        if (m_groups[island].hasStill) m_springLimit.hold(island);
 }
 
 // What position correction may add to the energy of each body.

@@ -220,6 +220,8 @@ class SteppedMotion {
             if (!m_still.is(i) && is(m_list[i - 1])) m_candidates.push_back(i);
         holdStill(input, manifolds);
     }
+    /// Sets slowestTime() (calm.h) of their island, by body at the end of a spring [s].
+    void findSlowest(const SteppedInput& input, std::vector<double>& slowest);
     bool hasStill(std::uint32_t island) const { return m_groups[rootOf(island)].hasStill; }
     std::size_t stillBodies() const { return m_still.count(); }
     bool isStill(BodyIndex body) const { return m_still.is(m_local[body]); }
@@ -356,6 +358,8 @@ class SteppedMotion {
     std::uint32_t numberOf(BodyPair pair) const {
         return m_local[pair.a] != 0 ? m_local[pair.a] : m_local[pair.b];
     }
+    /// Of a spring's end: that of the immobile body where it is one, or the world.
+    std::uint32_t numberAt(BodyIndex end) const { return end != noBody ? m_local[end] : immobile; }
     void forgetPairs();
     const PairEnds& ends();
     const RowCount& rowCountOf(std::uint32_t entry) const {
@@ -438,6 +442,7 @@ class SteppedMotion {
     void findCorrection(const StepSettings& settings);
     bool mayGainEnergy(const StepSettings& settings, Workers& workers);
     void rebound(const StepSettings& settings, Workers& workers, SteppedReport& report);
+    void findPulling(const Bodies& bodies);
     SpringIslands springIslands(const SteppedInput& input) const;
     void rememberSprings(const SteppedInput& input);
     void limitSprings(const SteppedInput& input, const StepSettings& settings, SteppedReport& report);
@@ -480,12 +485,13 @@ class SteppedMotion {
     void holdPairs();
     void addUpLoads(const SteppedInput& input, const Manifolds& manifolds);
     void addUpLoads(const SteppedInput& input, std::uint32_t number, const Manifolds& manifolds);
-    void touchBesideChanged(const Manifolds& manifolds);
+    void touchBesideChanged(const SteppedInput& input, const Manifolds& manifolds);
     bool addsLoad(std::uint32_t number) const { return m_still.rests(number) && m_still.isTouched(number); }
     /// What a contact with `other` adds to.
     StillBodies::Load& loadOf(std::uint32_t number, std::uint32_t other) {
         return m_still.is(other) ? m_still.lasting(number) : m_still.passing(number);
     }
+    void addUpSpringLoads(const SteppedInput& input);
     void noteChanged(BodyPair pair);
     void sampleLoads();
     bool wakeUnbalanced(const SteppedInput& input, double part);
@@ -536,8 +542,10 @@ class SteppedMotion {
     bool m_isMarked = false;     // any of them
     Scratch<std::vector<std::uint8_t>> m_isChosen; // by island
     std::vector<std::uint32_t> m_links;            // springs
+    Scratch<std::vector<std::uint32_t>> m_pulling; // of these, with an end that does not stand still
     Scratch<std::vector<SpringRow>> m_springs;
     Scratch<SpringLimit> m_springLimit;
+    Scratch<std::vector<double>> m_islandMass, m_islandTime; // [kg], [s]
     Scratch<std::vector<double>> m_corrected; // by number: energy that position correction may add [J]
     double m_deepest = 0;                     // overlap at the last look [m]
     std::vector<Entry> m_entries;

@@ -56,6 +56,26 @@ void SteppedMotion::setMass(const SteppedInput& input, std::uint32_t number) {
     setInverseInertia(principal, input.state.pose[body].orientation, to);
 }
 
+void SteppedMotion::findSlowest(const SteppedInput& input, std::vector<double>& slowest) {
+    if (m_links.empty()) return;
+    std::vector<double>&mass = m_islandMass, &times = m_islandTime;
+    mass.assign(m_groups.size(), 0);
+    times.assign(m_groups.size(), 0);
+    for (std::size_t i = 1; i < m_island.size(); ++i)
+        mass[rootOf(m_island[i])] += input.bodies.mass[m_list[i - 1]];
+    const auto forEachEnd = [&](const auto& visit) {
+        for (const std::uint32_t& link : m_links)
+            for (const BodyIndex end : {input.bodies.springs[link].from, input.bodies.springs[link].to})
+                if (end != noBody && m_local[end] != immobile) visit(link, end);
+    };
+    forEachEnd([&](const std::uint32_t& link, BodyIndex end) {
+        double& time = times[islandOf(end)];
+        time = std::max(time, slowestTime(input.bodies, input.state, std::span(&link, 1), mass[islandOf(end)],
+                                          input.gravity));
+    });
+    forEachEnd([&](std::uint32_t, BodyIndex end) { slowest[end] = times[islandOf(end)]; });
+}
+
 // Stops the candidates on which the forces balance: they stand still from now on.
 void SteppedMotion::holdStill(const SteppedInput& input, const Manifolds& manifolds) {
     if (m_candidates.empty()) return;
@@ -101,7 +121,7 @@ void SteppedMotion::holdPairs() {
 // Adds up the loads by gravity and by the present forces of all contacts, of bodies that have changed or
 // touch one that has.
 void SteppedMotion::addUpLoads(const SteppedInput& input, const Manifolds& manifolds) {
-    touchBesideChanged(manifolds);
+    touchBesideChanged(input, manifolds);
     m_loadPairs.clear(m_general.size());
     for (std::uint32_t i = 1; i < m_bodies.size(); ++i) {
         if (!m_still.isTouched(i)) continue;
@@ -118,9 +138,25 @@ void SteppedMotion::addUpLoads(const SteppedInput& input, const Manifolds& manif
         if (addsLoad(a)) loadOf(a, b).add(contact.radiusA * contact.normal, -force);
         if (addsLoad(b)) loadOf(b, a).add(-contact.radiusB * contact.normal, force);
     });
+    addUpSpringLoads(input);
 }
 
-void SteppedMotion::touchBesideChanged(const Manifolds& manifolds) {
+// The loads by springs as they are now; samples of those to bodies that move follow.
+void SteppedMotion::addUpSpringLoads(const SteppedInput& input) {
+    for (const std::uint32_t link : m_links) {
+        const SpringForce& spring = input.bodies.springs[link];
+        const std::uint32_t a = numberAt(spring.from), b = numberAt(spring.to);
+        if (!addsLoad(a) && !addsLoad(b)) continue;
+        const Vec3 force = forceOf(spring, input.state);
+        const auto armOf = [&](BodyIndex body, const Vec3& point) -> Vec3 {
+            return input.state.pose[body].orientation * point;
+        };
+        if (addsLoad(a)) loadOf(a, b).add(armOf(spring.from, spring.fromAt), -force);
+        if (addsLoad(b)) loadOf(b, a).add(armOf(spring.to, spring.toAt), force);
+    }
+}
+
+void SteppedMotion::touchBesideChanged(const SteppedInput& input, const Manifolds& manifolds) {
     m_still.beginLoads();
     const std::span<const std::uint8_t> changed = m_still.changed();
     for (std::uint32_t i = 1; i < m_bodies.size(); ++i) {
@@ -137,6 +173,13 @@ void SteppedMotion::touchBesideChanged(const Manifolds& manifolds) {
         m_still.touch(contact.a);
         m_still.touch(contact.b);
     });
+    for (const std::uint32_t link : m_links) {
+        const SpringForce& spring = input.bodies.springs[link];
+        const std::uint32_t a = numberAt(spring.from), b = numberAt(spring.to);
+        if (changed[a] == 0 && changed[b] == 0) continue;
+        m_still.touch(a);
+        m_still.touch(b);
+    }
 }
 
 // The loads by a pair that is not of two balls, on bodies of which loads are added up.
@@ -180,6 +223,12 @@ void SteppedMotion::sampleLoads() {
         if (m_still.rests(row.a)) m_still.sample(row.a).torque -= perStep * row.torque;
         if (m_still.rests(row.b)) m_still.sample(row.b).torque += perStep * row.torque;
     }
+    for (const SpringRow& spring : static_cast<const std::vector<SpringRow>&>(m_springs)) {
+        if (m_still.is(spring.a) == m_still.is(spring.b)) continue;
+        const Vec3 force = perStep * (spring.frame * spring.impulse);
+        if (m_still.rests(spring.a)) m_still.sample(spring.a).add(spring.armA, -force);
+        if (m_still.rests(spring.b)) m_still.sample(spring.b).add(spring.armB, force);
+    }
     m_balls.forEachBeside(m_still.flags(), [&](const BallRows::Contact& contact) {
         const auto [a, b] = std::pair(contact.a, contact.b);
         const Vec3 force = perStep * contact.impulse;
@@ -200,6 +249,15 @@ bool SteppedMotion::wakeUnbalanced(const SteppedInput& input, double part) {
     return any;
 }
 
+// Springs between bodies that stand still are loads of these alone.
+void SteppedMotion::findPulling(const Bodies& bodies) {
+    m_pulling.clear();
+    for (const std::uint32_t link : m_links)
+        if (!m_still.is(numberAt(bodies.springs[link].from)) ||
+            !m_still.is(numberAt(bodies.springs[link].to)))
+            m_pulling.push_back(link);
+}
+
 // Finds the parts of islands that bodies which stand still divide: these, like immobile bodies, carry no
 // motion from one contact to another.
 void SteppedMotion::findParts() {
@@ -208,6 +266,8 @@ void SteppedMotion::findParts() {
     for (const RowGroup& group : m_rows.groups())
         for (std::size_t lane = 0; lane < wideLanes; ++lane) joinParts(group.a[lane], group.b[lane]);
     for (const Watched& pair : m_watched) joinParts(pair.a, pair.b);
+    for (const SpringRow& spring : static_cast<const std::vector<SpringRow>&>(m_springs))
+        joinParts(spring.a, spring.b);
     m_balls.forEachPair([this](std::uint32_t a, std::uint32_t b) { joinParts(a, b); });
     for (const std::uint32_t i : m_moving.awake) m_part[i] = partWith(i);
 }

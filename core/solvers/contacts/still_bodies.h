@@ -22,8 +22,8 @@
 //
 //     | m g + Σ F | ≤ part (m |g| + ½ Σ |F|)      | Σ r × F | ≤ part size (m |g| + ½ Σ |F|)
 //
-//     legend   F  forces of all contacts of the body, at r from its centre     part  0.1 to stand still,
-//              0.2 to go on doing so
+//     legend   F  forces of all contacts and springs of the body, at r from its centre
+//              part  0.1 to stand still, 0.2 to go on doing so
 //
 // The limit grows with the load, because the error of forces found by sweeps does: no more than a fifth of a
 // body's load is unbalanced. A body must have its own mass when it is struck: where an impact would give a

@@ -19,12 +19,12 @@ constexpr int frames = 50;                               // √(.1/10) = .1 s, f
 struct Resting {
     Bodies bodies = bodiesOf(test::sceneOf({test::sphere(radius, 1, Vec3::Zero(), Vec3::Zero())}));
     State state = initialStateOf(test::sceneOf({test::sphere(radius, 1, Vec3::Zero(), Vec3::Zero())}));
-    Calm calm{1};
+    Calm calm{bodies};
 
     /// A frame in which it goes so far.
     void go(const Vec3& way) {
         state.pose[0].position += way;
-        calm.note(bodies, state, bodies.mobileBodies, frameTime);
+        calm.note(bodies, state, bodies.mobileBodies, {0, -g, 0}, frameTime);
     }
     /// A frame, refined, at this part of what is rest. Whether it is at rest then.
     bool creep(double part) {
@@ -34,6 +34,12 @@ struct Resting {
     }
     bool isCalm() const { return calm.isCalm(bodies, state, 0, {0, -g, 0}); }
 };
+
+Bodies tied(const Scene& scene) {
+    Bodies bodies = bodiesOf(scene);
+    bodies.springs = springsOf(scene);
+    return bodies;
+}
 
 } // namespace
 
@@ -108,6 +114,55 @@ class CalmTest : public QObject {
         for (int n = 0; n < 2 * frames; ++n) ball.go(Vec3::Zero());
         ball.calm.forget(ball.bodies.mobileBodies);
         QVERIFY(!ball.isCalm());
+    }
+
+    // The slowest of √(M/k), c/k and √(l/g), whichever it is.
+    void slowestTimeIsThatOfTheSlowestSpring() {
+        struct Case {
+            double stiffness, damping, length, mass, expected;
+        };
+        for (const auto& [stiffness, damping, length, mass, expected] :
+             {Case{4, 0, 0.1, 36, 3}, Case{4, 40, 0.1, 36, 10}, Case{4, 0, 250, 36, 5},
+              Case{0, 40, 250, 36, 0}}) {
+            Scene scene = test::sceneOf({test::sphere(radius, 1, Vec3::Zero())});
+            Spring spring;
+            spring.to = 0;
+            spring.fromAt = Vec3(0, length, 0);
+            spring.stiffness = stiffness;
+            spring.damping = damping;
+            scene.springs = {spring};
+            const std::uint32_t first = 0;
+            QCOMPARE(
+                slowestTime(tied(scene), initialStateOf(scene), std::span(&first, 1), mass, Vec3(0, -g, 0)),
+                expected);
+        }
+    }
+
+    // One that a damped spring moves is calm after five times as long as the spring takes; one on a spring
+    // without a damper only if it has not been faster than at rest all that time.
+    void bodyOnASpringStaysForTheTimeOfTheSpring() {
+        constexpr double slowest = 0.3; // [s], τ
+        for (const double damping : {0.0, 1.0})
+            for (const double part : {0.5, 2.0}) { // of what is rest
+                Scene scene = test::sceneOf({test::sphere(radius, 1, Vec3::Zero())});
+                Spring spring;
+                spring.to = 0;
+                spring.stiffness = 1;
+                spring.damping = damping;
+                scene.springs = {spring};
+                const Bodies bodies = tied(scene);
+                State state = initialStateOf(scene);
+                state.velocity[0] = {part * restSpeed * std::sqrt(radius * g), 0, 0};
+                Calm calm{bodies};
+                int frame = 0;
+                while (frame < 1000 && !calm.isCalm(bodies, state, 0, {0, -g, 0}, slowest)) {
+                    calm.note(bodies, state, bodies.mobileBodies, {0, -g, 0}, frameTime);
+                    ++frame;
+                }
+                const bool becomesCalm = damping > 0 || part < 1;
+                QCOMPARE(frame < 1000, becomesCalm);
+                if (becomesCalm) QVERIFY(std::abs(frame * frameTime - 5 * slowest) < 1.5 * frameTime);
+            }
     }
 };
 

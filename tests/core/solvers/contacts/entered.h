@@ -23,7 +23,10 @@ class Entered {
     explicit Entered(const Scene& scene)
         : bodies(bodiesOf(scene)), state(initialStateOf(scene)), path(bodies.count(), 1),
           m_gravity(scene.gravity.acceleration), m_neighbours(bodies),
-          m_broadphase(findBroadphase("all_pairs")->create()) {}
+          m_broadphase(findBroadphase("all_pairs")->create()) {
+        bodies.springs = springsOf(scene);
+        for (const SpringForce& spring : bodies.springs) m_links.push_back({spring.from, spring.to});
+    }
 
     SteppedInput input(bool isFirst = true) {
         return {.bodies = bodies, .gravity = m_gravity, .state = state, .isFirst = isFirst};
@@ -39,7 +42,7 @@ class Entered {
         for (BodyIndex a = 0; a < bodies.count(); ++a)
             for (BodyIndex b = a + 1; b < bodies.count(); ++b)
                 if (isListed(list, a) || isListed(list, b)) know({a, b}, known);
-        path.enter(input(), list, m_neighbours, {}, substep, known, manifolds);
+        path.enter(input(), list, m_neighbours, m_links, substep, known, manifolds);
         for (const Manifolds::Entry& entry : known)
             if (entry.place != Manifolds::none) manifolds.remove(entry.place);
         carried.clear();
@@ -154,6 +157,7 @@ class Entered {
     Vec3 m_gravity;
     Neighbours m_neighbours;
     std::unique_ptr<Broadphase> m_broadphase;
+    std::vector<BodyPair> m_links; // the ends of springs
 };
 
 } // namespace carom::test

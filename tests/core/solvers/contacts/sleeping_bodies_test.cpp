@@ -135,9 +135,35 @@ class SleepingBodiesTest : public QObject {
         sleeping.putToSleep(islandOf(2)); // masses 7, 8 and 9 kg
         sleeping.exchange(bodies, moving);
         Ledger ledger;
-        sleeping.record(bodies, Vec3(0, -10, 0), 0.5, ledger);
+        sleeping.record(bodies, State{}, Vec3(0, -10, 0), 0.5, ledger);
         QCOMPARE(ledger[LedgerAccount::Gravity].momentum.y(), -120.0);
         QCOMPARE(ledger[LedgerAccount::Contact].momentum.y(), 120.0);
+    }
+
+    // f = k (l - l₀) upwards on the one that hangs; springs between bodies that sleep give nothing together.
+    void aSpringBearsItsPartOfTheWeight() {
+        Scene scene = test::sceneOf({test::sphere(1, 7, Vec3(0, 3, 0)), test::sphere(1, 8, Vec3(0, 0, 0))});
+        Spring hook, between;
+        hook.to = 0;
+        hook.fromAt = Vec3(0, 5, 0);
+        hook.stiffness = 50;
+        hook.length = 0.5;
+        between.from = 0;
+        between.to = 1;
+        between.stiffness = 10;
+        between.length = 1;
+        scene.springs = {hook, between};
+        Bodies bodies = bodiesOf(scene);
+        bodies.springs = springsOf(scene);
+        SleepingBodies sleeping(2);
+        sleeping.putToSleep(std::vector<BodyIndex>{0, 1});
+        Ledger ledger;
+        ContactSet moving;
+        sleeping.exchange(bodies, moving);
+        sleeping.record(bodies, initialStateOf(scene), Vec3(0, -10, 0), 0.5, ledger);
+        QCOMPARE(ledger[LedgerAccount::Gravity].momentum.y(), -75.0);
+        QCOMPARE(ledger[LedgerAccount::Spring].momentum.y(), 0.5 * 50 * 1.5);
+        QCOMPARE(ledger[LedgerAccount::Contact].momentum.y(), 75.0 - 0.5 * 50 * 1.5);
     }
 };
 

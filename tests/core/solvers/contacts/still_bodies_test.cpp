@@ -161,6 +161,44 @@ class StillBodiesTest : public QObject {
         QCOMPARE(inAir.path.stillBodies(), std::size_t{3});
     }
 
+    // Friction balances a spring, and holds both boxes: without the spring's force a fifth of their weight is
+    // unbalanced. When the other end of a second one flies away, its pull moves the box on.
+    void whatASpringPullsStandsStillUntilItPullsHarder() {
+        constexpr double part = 0.2, speed = 3; // of the weight; [m/s]
+        Scene scene = test::sceneOf({test::floorOf(0.5)}, test::downwards());
+        for (const double x : {0.0, 0.5})
+            scene.bodies.push_back(
+                test::rough(test::cuboid(Vec3::Constant(2 * ballRadius), 1, {x, ballRadius, 0}), 0.5));
+        scene.bodies.push_back(test::sphere(ballRadius, 1, {1.5, 2, 0}, {speed, speed, 0}));
+        const double stiffness = 20;
+        const double stretch = part * test::gravity / stiffness; // [m]
+        for (const BodyIndex from : {1U, 2U}) {
+            Spring spring;
+            spring.from = from;
+            spring.to = from + 1;
+            spring.stiffness = stiffness;
+            spring.damping = 1;
+            if (from == 1) spring.length = 0.5 - stretch;
+            scene.springs.push_back(spring);
+        }
+        HeldOnes tied(scene);
+        for (int n = 0; n < 2; ++n) tied.step();
+        const double place = tied.state.pose[2].position.x();
+        tied.hold({1, 2});
+        QCOMPARE(tied.path.stillBodies(), std::size_t{2});
+        double pull = 0; // by the second spring
+        int substep = 0;
+        for (; substep < 200 && tied.path.isStill(2); ++substep) {
+            tied.step();
+            pull = forceOf(tied.bodies.springs[1], tied.state).norm();
+        }
+        QVERIFY(!tied.path.isStill(2));
+        QVERIFY(pull > part * test::gravity);
+        QVERIFY(pull < 3 * test::gravity);
+        for (int n = 0; n < 40; ++n) tied.step();
+        QVERIFY(tied.state.pose[2].position.x() > place + 0.01);
+    }
+
     // A copy goes on as the original does, and whoever leaves takes its forces along.
     void copiesAndThoseThatLeaveGoOn() {
         HeldOnes heap(rowOfBalls(0.5, 0.3));
