@@ -367,6 +367,28 @@ class RestingTest : public QObject {
         QVERIFY(woke);
         QVERIFY(world.state().pose[2].position.x() > 5.01);
     }
+
+    // Bricks that touch on all sides, half-brick bond, twenty courses: with one pass a step the wall swayed
+    // for ever, and rose.
+    void aFlushWallOfBricksComesToRest() {
+        const Vec3 size(0.4, 0.2, 0.2); // [m]
+        constexpr int courses = 20, length = 30;
+        Scene scene = sceneOf({floorOf(0.6, 0.1)}, downwards());
+        for (int row = 0; row < courses; ++row)
+            for (int i = 0; i < length - row % 2; ++i) {
+                const Vec3 place((i + 0.5 * (row % 2)) * size.x(), (row + 0.5) * size.y(), 0);
+                scene.bodies.push_back(rough(cuboid(size, 1, place), 0.6, 0.1));
+            }
+        World world = worldOf(scene, contacts("default"));
+        run(world, 120);
+        QCOMPARE(world.statistics().resting, static_cast<std::uint64_t>(scene.bodies.size() - 1));
+        QVERIFY(world.statistics().work.unfinished == 0);
+        QVERIFY(deepestOverlap(world) < 2e-3 * size.y());
+        for (BodyIndex i = 1; i < scene.bodies.size(); ++i) {
+            const Vec3 way = world.state().pose[i].position - scene.bodies[i].pose.position;
+            QVERIFY(way.norm() < 0.02 * size.y());
+        }
+    }
 };
 
 } // namespace carom

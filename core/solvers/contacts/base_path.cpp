@@ -22,6 +22,18 @@ constexpr std::size_t pointsOfOneLook = 64, mostLooks = 4;
 /// At half, islands change blocks more often; at twice, an impact may pass on through fewer contacts.
 constexpr int tooFew = 4;
 
+/// Islands of more than so many levels make two passes a step. In a column of n bodies one pass suffices up
+/// to n = π/√r = 11.6 (velocity_solve.h), where r is what feedback takes of a gap in a step: with one, brick
+/// walls of twenty courses sway for ever, and rise by some 1e-3 of a brick in a second. At half, heaps of a
+/// hundred bodies make twice the passes; at twice, such walls sway.
+constexpr std::uint32_t fewLevels = 10;
+/// A block that is tall remains so down to this part of it.
+constexpr double stillTall = 0.75;
+constexpr int passesOfTall = 2; // times those of others
+/// Levels are counted once in so many frames. At half, heaps that stand still cost more; at twice, a wall
+/// that has just been built sways for longer.
+constexpr int framesOfLevels = 16;
+
 /// An impact passes on from one contact to the next in each sweep, so balls need as many sweeps as they have
 /// contacts, and nearly twice as many from three on, up to those of an island with few points: with as many,
 /// of 81 columns of balls that land one is a tenth of a radius in another. Bodies of other shapes turn and
@@ -33,17 +45,23 @@ constexpr int tooFew = 4;
 constexpr std::array<Division, 8> divisionsOfSubstep{Division{4, 4, 2}, {2, 4, 2}, {1, 4, 2}, {1, 2, 2},
                                                      {1, 1, 2},         {1, 2, 1}, {1, 1, 1}, {1, 3, 1}};
 
+constexpr std::size_t ofMany = 7; // of large islands that are not of balls alone
+
 constexpr int sweepsOf(std::size_t number) {
     const Division& division = divisionsOfSubstep[number];
     return division.looks * division.steps * division.passes;
 }
+
+/// The part of the rows swept that a tall block sweeps beyond others: a step has a warm start, and its passes
+/// with feedback and without.
+constexpr double beyondOfTall = 1 - 3.0 / (1 + 2 * passesOfTall);
 
 /// Only islands of few balls use these; contacts that they get later may need more sweeps.
 constexpr bool isForFewBalls(std::size_t number) { return number == 3 || number == 4 || number == 6; }
 
 /// The number of the division for an island.
 std::uint8_t divisionNumber(const ContactCount& count) {
-    if (count.points > fewPoints) return !count.round ? 7 : count.points > manyPoints ? 6 : 5;
+    if (count.points > fewPoints) return !count.round ? ofMany : count.points > manyPoints ? 6 : 5;
     if (count.points == 0) return 2; // not known yet
     if (count.round) return count.points >= 4 ? 2 : count.points >= 3 ? 3 : count.points >= 2 ? 4 : 6;
     const std::size_t looks = std::clamp(pointsOfOneLook / count.points, std::size_t{1}, mostLooks);
@@ -197,9 +215,13 @@ void BasePath::loadMember(const SteppedInput& input, BodyIndex member, std::uint
 
 SteppedReport BasePath::advance(const SteppedInput& input, Manifolds& manifolds) {
     SteppedReport report;
-    for (SteppedMotion& block : m_blocks) {
+    for (std::size_t number = 0; number < divisions; ++number) {
+        SteppedMotion& block = m_blocks[number];
         if (block.isEmpty() || report.loss) continue;
+        const bool isTall = m_isTall && number == ofMany;
+        if (number == ofMany) block.setPasses(m_passes * (isTall ? passesOfTall : 1));
         const SteppedReport one = block.advance(input, manifolds);
+        if (isTall) report.beyond = beyondOfTall * static_cast<double>(one.work.rowsSwept);
         report.residual = std::max(report.residual, one.residual);
         report.maxPenetration = std::max(report.maxPenetration, one.maxPenetration);
         report.contacts += one.contacts;
@@ -217,6 +239,42 @@ void BasePath::countContacts(std::size_t number, const Manifolds& manifolds) {
     block(number).forEachCount(manifolds, [&](std::uint32_t island, int points, bool isRound) {
         counts[island].add(points, isRound);
     });
+}
+
+void BasePath::countLevels(const std::vector<std::uint8_t>& mobile, const Manifolds& manifolds) {
+    if (m_untilLevels-- > 0) return;
+    m_untilLevels = framesOfLevels - 1;
+    SteppedMotion& block = this->block(ofMany);
+    const double most = m_isTall ? stillTall * fewLevels : fewLevels;
+    m_isTall = !block.isEmpty() && levelsOf(block, mobile, manifolds) > most;
+}
+
+// How many levels the bodies of a block lie in, as of the last substep.
+std::uint32_t BasePath::levelsOf(SteppedMotion& block, const std::vector<std::uint8_t>& mobile,
+                                 const Manifolds& manifolds) {
+    m_touching.clear();
+    for (const Entry& entry : block.entries())
+        if (entry.place != Manifolds::none && manifolds[entry.place].count > 0 &&
+            !manifolds[entry.place].open)
+            m_touching.push_back(entry.pair);
+    const auto numberOf = [&](BodyIndex body) { return mobile[body] != 0 ? body + 1 : 0; };
+    m_ends.make(m_touching.size(), m_block.size() + 1, [&](std::size_t pair) {
+        return PairEnds::Ends{numberOf(m_touching[pair].a), numberOf(m_touching[pair].b)};
+    });
+    m_level.assign(m_block.size() + 1, 0);
+    m_reached.clear();
+    const auto reach = [&](std::uint32_t body, std::uint32_t level) {
+        if (body == 0 || m_level[body] != 0) return;
+        m_level[body] = level;
+        m_reached.push_back(body);
+    };
+    for (const auto& [a, b] : m_ends.all())
+        if (a == 0 || b == 0) reach(std::max(a, b), 1);
+    for (std::size_t i = 0; i < m_reached.size(); ++i)
+        for (const std::uint32_t pair : m_ends.pairsOf(m_reached[i]))
+            for (const std::uint32_t body : {m_ends.of(pair).first, m_ends.of(pair).second})
+                reach(body, m_level[m_reached[i]] + 1);
+    return m_reached.empty() ? 0 : m_level[m_reached.back()];
 }
 
 bool BasePath::markOutgrown(const Manifolds& manifolds) {

@@ -3,6 +3,7 @@
 
 #include "core/solvers/contacts/islands.h"
 #include "core/solvers/contacts/neighbours.h"
+#include "core/solvers/contacts/pair_ends.h"
 #include "core/solvers/contacts/pair_sort.h"
 #include "core/solvers/contacts/stepped_motion.h"
 
@@ -22,6 +23,10 @@
 //     islands  bodies that such pairs join. Contacts of small ones are updated more often and in smaller
 //              steps: bodies that turn touch at other points, and an impact passes through a chain of bodies
 //              by a few of them a pass. So there is a block of bodies for every division of the substep.
+//     levels   while an island of many bodies lies on each other in many levels, its block makes twice the
+//              passes: one takes too little of its slow modes (velocity_solve.h). A body is on the level of
+//              the least number of contacts that lead from it to something immobile; levels are counted once
+//              in a number of frames
 //     renewal  if some bodies of an island may move beyond their reach, their pairs are found anew; at the
 //              start of a frame also those of bodies that need far less than they have, pairs that can no
 //              longer meet are removed, and all pairs of such an island are sorted again, or at once where
@@ -136,6 +141,8 @@ class BasePath {
         for (const SteppedMotion& block : m_blocks) sum += block.isEmpty() ? 0 : block.stillBodies();
         return sum;
     }
+    /// Counts levels, if it is time: when a frame begins. `mobile` is by body.
+    void countLevels(const std::vector<std::uint8_t>& mobile, const Manifolds& manifolds);
     /// Marks islands that, as of the last substep, have so many contacts that they would enter another block,
     /// of a coarser division: they have grown since they entered. True if there are any.
     bool markOutgrown(const Manifolds& manifolds);
@@ -237,6 +244,8 @@ class BasePath {
     ContactCount countOf(const Island& island, const Manifolds& manifolds) const;
     std::uint8_t numberFor(const Island& island, const Manifolds& manifolds);
     void addIsland(const SteppedInput& input, const Island& island, std::uint8_t number, double substep);
+    std::uint32_t levelsOf(SteppedMotion& block, const std::vector<std::uint8_t>& mobile,
+                           const Manifolds& manifolds);
     void countContacts(std::size_t number, const Manifolds& manifolds);
     void loadMember(const SteppedInput& input, BodyIndex member, std::uint8_t number, Entry& entry,
                     Manifolds& manifolds);
@@ -245,10 +254,15 @@ class BasePath {
 
     int m_passes = 1;
     bool m_isEmpty = true;
-    std::vector<double> m_reach;           // by body [m]
-    std::vector<Pose> m_origin;            // by body: its pose when its reach was computed
-    std::vector<std::uint8_t> m_block;     // by body
-    std::vector<std::uint8_t> m_lastBlock; // by body: the block it was in last
+    bool m_isTall = false; // the block of large islands that are not of balls alone, when levels were counted
+    int m_untilLevels = 0; // frames until they are counted again
+    Scratch<PairEnds> m_ends;                               // of pairs in contact; bodies are numbered from 1
+    Scratch<std::vector<BodyPair>> m_touching;              // these
+    Scratch<std::vector<std::uint32_t>> m_level, m_reached; // by number; in the order they are reached
+    std::vector<double> m_reach;                            // by body [m]
+    std::vector<Pose> m_origin;                             // by body: its pose when its reach was computed
+    std::vector<std::uint8_t> m_block;                      // by body
+    std::vector<std::uint8_t> m_lastBlock;                  // by body: the block it was in last
     std::array<Block, divisions> m_blocks;
     Scratch<std::vector<Entry>> m_entering, m_leaving;
     Scratch<Paired> m_paired;

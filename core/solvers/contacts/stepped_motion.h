@@ -94,6 +94,7 @@ struct SteppedReport {
     double maxPenetration = 0; ///< [m]
     std::size_t contacts = 0;  ///< pairs that may touch, at the last look
     WorkCounters work;
+    double beyond = 0; ///< of its rows, those of passes that only tall blocks make (base_path.h)
     Loss loss;
 };
 
@@ -171,6 +172,7 @@ class SteppedMotion {
     /// Whether the bodies of a pair are so near that they touch, or soon do.
     static bool isNear(const SteppedInput& input, BodyPair pair);
 
+    void setPasses(int passes) { m_division.passes = passes; }
     /// One substep, or `part` of it.
     SteppedReport advance(const SteppedInput& input, Manifolds& manifolds, double part = 1);
     /// visit(manifold) for every pair that is in contact, as of the last substep.
@@ -358,7 +360,6 @@ class SteppedMotion {
     std::uint32_t numberOf(BodyPair pair) const {
         return m_local[pair.a] != 0 ? m_local[pair.a] : m_local[pair.b];
     }
-    /// Of a spring's end: that of the immobile body where it is one, or the world.
     std::uint32_t numberAt(BodyIndex end) const { return end != noBody ? m_local[end] : immobile; }
     void forgetPairs();
     const PairEnds& ends();
