@@ -155,6 +155,12 @@ bool IslandMotion::isDeep(const MotionInput& input, const ContactPair& pair, dou
     return overlapAt(input, pair, time, duration) > overlapOf(pair) + deepRoll * pair.size;
 }
 
+// Whether any are at its end.
+bool IslandMotion::anyDeep(const MotionInput& input, double duration) {
+    return std::ranges::any_of(
+        m_contacts.pairs, [&](const ContactPair& pair) { return isDeep(input, pair, duration, duration); });
+}
+
 // A part of `time`, at whose end they are not, or half of it so often as is looked for.
 double IslandMotion::lessDeep(const MotionInput& input, const ContactPair& pair, double time,
                               double duration) {

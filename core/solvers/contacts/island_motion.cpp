@@ -93,9 +93,14 @@ void IslandMotion::move(const MotionInput& input, const Island& island) {
         m_contacts.pairs, [&](const ContactPair& pair) { return isElasticOnSprings(pair); });
     const int most = isElastic ? mostEventsOnSprings * usual : usual;
     int events = 0;
+    double dearest = 0;             // part so far [operations]
     double longest = input.substep; // part that contacts are likely to be followed through [s]
     for (double left = input.substep; left > 0;) {
-        const bool findsImpacts = events < most;
+        // Accurate runs use what is left of the budget for one part without located impacts: the base path
+        // would leave overlaps a thousand times as deep.
+        const bool isLast = accurate && remaining(input) < dearest;
+        const bool findsImpacts = events < most && !isLast;
+        const double workBefore = m_work;
         m_rattles = 2 * events > usual;
         m_left = left;
         // A part that is not finished is undone: bodies whose overlap is corrected here again and again, and
@@ -137,12 +142,14 @@ void IslandMotion::move(const MotionInput& input, const Island& island) {
         if (duration == left) solveFiner(input, duration, findsImpacts);
         if (m_unsolved && !m_contacts.pairs.empty()) return giveUp();
         if (findsImpacts && remaining(input) <= 0 && mayMissImpact(input, duration)) return giveUp();
-        if (!findsImpacts && (sinkIn(input, duration) || gainsEnergy(input, duration, mostGainedLast)))
+        if (!findsImpacts && (sinkIn(input, duration) || gainsEnergy(input, duration, mostGainedLast) ||
+                              (isLast && anyDeep(input, duration))))
             return giveUp();
         if ((report.loss = findLoss(island))) break;
         if (input.ledger != nullptr) recordForces(input, duration);
         if (duration == left) settle(input, island);
         commit(input, island, duration);
+        dearest = std::max(dearest, m_work - workBefore);
         left = duration < left ? left - duration : 0;
         m_left = left;
         if (left > 0 || accurate || events > 0) recollide(input);
@@ -284,6 +291,8 @@ void IslandMotion::reserve() {
     for (std::vector<std::uint8_t>* flags : {&m_presses, &m_stuck, &m_waits, &m_held, &m_pushed})
         flags->reserve(points);
     m_start.reserve(bodies);
+    m_rounds.reserve(bodies);
+    m_rowRounds.reserve(points);
     m_pushes.reserve(points);
     m_impactRows.reserve(points);
     m_warmRows.reserve(points);

@@ -92,6 +92,15 @@ class IslandMotion {
     struct SeenPoint {
         Vec3 onA = Vec3::Zero(), onB = Vec3::Zero();
     };
+    /// A round in which contacts turn: where it led a body, and by how much it changed that.
+    struct Round {
+        Vec6 end = Vec6::Zero(), change = Vec6::Zero(); // velocities
+    };
+    /// The impulses of a row after it.
+    struct RowRound {
+        Vec3 impulse = Vec3::Zero();
+        Vec2 rolling = Vec2::Zero();
+    };
     /// The end of a spring before and after a part [m], and its arm from the body's centre.
     struct SpringEnd {
         int body = immobile; // of m_problem
@@ -150,6 +159,7 @@ class IslandMotion {
     void placeRow(const Place& place, ContactRow& row) const;
     void placeRow(std::uint32_t point, ContactRow& row) const;
     void solveTurned(const MotionInput& input);
+    void mixRounds(bool extrapolates);
     Pose middlePose(const MotionInput& input, BodyIndex body, double duration) const;
     void linkSprings(const MotionInput& input, double duration);
     void solveSprings(const MotionInput& input, double duration);
@@ -188,6 +198,7 @@ class IslandMotion {
     bool isElasticOnSprings(const ContactPair& pair) const;
     double fastestApproach(const MotionInput& input, const ContactPair& pair) const;
     bool isDeep(const MotionInput& input, const ContactPair& pair, double time, double duration);
+    bool anyDeep(const MotionInput& input, double duration);
     double lessDeep(const MotionInput& input, const ContactPair& pair, double time, double duration);
     bool anyWaits(const ContactPair& pair) const;
     bool waitsAt(const MotionInput& input, const ContactPair& pair, const Pose& poseA, const Pose& poseB,
@@ -234,6 +245,8 @@ class IslandMotion {
     ForcedSteps m_forced;                      // of the bodies that force terms act on
     std::vector<Pose> m_middlePose, m_endPose; // by body of m_problem, foreseen
     std::vector<Place> m_inMiddle, m_atEnd;    // by point of m_contacts, foreseen
+    std::vector<Round> m_rounds;               // by body of m_problem: the round before
+    std::vector<RowRound> m_rowRounds;         // by row, the same
     std::vector<Push> m_pushes;                // by row; empty: along the rows themselves
     std::vector<Vec6> m_free;                  // by body of m_problem, v̂
     std::vector<std::uint8_t> m_presses;       // by point, 1: an impulse acts in it

@@ -36,6 +36,8 @@
 //     unfinished what was not solved within its share is left to the base path and tried again after 1, 3, 7,
 //                ... 63 substeps: for an island that moves all the time failed attempts become rare, one that
 //                has just come to rest is solved from the forces of the base path
+//     last       in accurate runs the end of the budget is for one part without located impacts, through the
+//                rest of the substep; it is unfinished only if bodies would sink in or gain energy by that
 //
 // A frame's work is at most mostShares times the floor and mostOverrun times the budget, forSprings times
 // that where there are springs, what was saved, the overrun of one step of each solver, and the base path.
