@@ -160,7 +160,7 @@ bool IslandMotion::solveSpringsAlone(const MotionInput& input, double duration) 
         linkSprings(input, duration);
         const bool isStep = m_springSolver.step(m_problem, m_springSlopes);
         ++report.work.factorisations;
-        report.work.operations += m_springSolver.work();
+        m_work += m_springSolver.work();
         if (!isStep) return false;
         const double change = changeOfVelocities();
         if (change <= std::max(roundsEnd * m_fastest, m_tolerance)) return true;

@@ -10,6 +10,9 @@
 
 #include <QTest>
 
+#include <limits>
+#include <vector>
+
 // An island that is moved with any budget: what it has moved is right, and what it has not is said to be
 // left.
 
@@ -50,6 +53,7 @@ class IslandMotionTest : public QObject {
         QTest::newRow("fast") << 8.0;
     }
     void noBudgetLetsABodyThrough();
+    void roundsOfSpringsCountAgainstTheBudget();
 };
 
 void IslandMotionTest::noBudgetLetsABodyThrough() {
@@ -89,6 +93,47 @@ void IslandMotionTest::noBudgetLetsABodyThrough() {
     }
     QVERIFY(unfinished > 0);
     QVERIFY(finished > 0);
+}
+
+// Two balls that a spring pulls together, and that meet within the substep: what is reported is what the
+// budget is compared with, and half of it does not suffice.
+void IslandMotionTest::roundsOfSpringsCountAgainstTheBudget() {
+    Scene scene = test::sceneOf({}, islandGravity);
+    for (const double side : {-1.0, 1.0}) {
+        Body ball = test::sphere(eachRadius, 1, Vec3(1.001 * side * eachRadius, 0, 0), Vec3(-side, 0, 0));
+        ball.elastic = 1;
+        scene.bodies.push_back(ball);
+    }
+    Bodies bodies = bodiesOf(scene);
+    SpringForce& spring = bodies.springs.emplace_back();
+    spring.from = 0;
+    spring.to = 1;
+    spring.stiffness = 1e5;
+    spring.length = eachRadius;
+    const State start = initialStateOf(scene);
+    const SolverSettings settings;
+    ContactSet found;
+    collideInto(bodies, start, pairOf(bodies, {0, 1}, islandMargin), {}, found);
+    const std::vector<BodyPair> links{{0, 1}};
+    Islands islands;
+    islands.find(bodies, bodies.mobileBodies, found.pairs, links);
+    QCOMPARE(islands.count(), std::size_t{1});
+    const auto leftWith = [&](double budget, IslandMotion& motion) {
+        State state = start;
+        motion.advance({.bodies = bodies,
+                        .settings = settings,
+                        .gravity = islandGravity,
+                        .substep = islandSubstep,
+                        .state = state,
+                        .budget = budget},
+                       islands[0], found);
+        return motion.left();
+    };
+    IslandMotion whole, part;
+    QCOMPARE(leftWith(std::numeric_limits<double>::infinity(), whole), 0.0);
+    QVERIFY(whole.report.work.factorisations > 0);
+    QCOMPARE(whole.report.work.operations, whole.work());
+    QVERIFY(leftWith(0.5 * whole.work(), part) > 0);
 }
 
 } // namespace carom
