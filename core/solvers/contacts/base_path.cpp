@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/solvers/contacts/base_path.h"
 
+#include "core/solvers/contacts/calm.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -27,6 +29,10 @@ constexpr int tooFew = 4;
 /// walls of twenty courses sway for ever, and rise by some 1e-3 of a brick in a second. At half, heaps of a
 /// hundred bodies make twice the passes; at twice, such walls sway.
 constexpr std::uint32_t fewLevels = 10;
+/// Bodies bear levels up to this part of √(size g), which is five times what is calm: what is faster falls or
+/// slides, and does not sway. At half, walls that sway by more than that do so for longer; at twice, heaps
+/// make two passes while they fall.
+constexpr double bearing = 0.05;
 /// A block that is tall remains so down to this part of it.
 constexpr double stillTall = 0.75;
 constexpr int passesOfTall = 2; // times those of others
@@ -241,23 +247,27 @@ void BasePath::countContacts(std::size_t number, const Manifolds& manifolds) {
     });
 }
 
-void BasePath::countLevels(const std::vector<std::uint8_t>& mobile, const Manifolds& manifolds) {
+void BasePath::countLevels(const SteppedInput& input, const Manifolds& manifolds) {
     if (m_untilLevels-- > 0) return;
     m_untilLevels = framesOfLevels - 1;
     SteppedMotion& block = this->block(ofMany);
     const double most = m_isTall ? stillTall * fewLevels : fewLevels;
-    m_isTall = !block.isEmpty() && levelsOf(block, mobile, manifolds) > most;
+    m_isTall = !block.isEmpty() && levelsOf(input, block, manifolds) > most;
 }
 
-// How many levels the bodies of a block lie in, as of the last substep.
-std::uint32_t BasePath::levelsOf(SteppedMotion& block, const std::vector<std::uint8_t>& mobile,
+// How many levels the bodies of a block lie in, as of the last substep: those that bear each other.
+std::uint32_t BasePath::levelsOf(const SteppedInput& input, SteppedMotion& block,
                                  const Manifolds& manifolds) {
+    const auto bears = [&](BodyIndex body) {
+        return input.bodies.mobile[body] == 0 ||
+               isSlowerThan(bearing, input.bodies, input.state, body, input.gravity);
+    };
     m_touching.clear();
     for (const Entry& entry : block.entries())
         if (entry.place != Manifolds::none && manifolds[entry.place].count > 0 &&
-            !manifolds[entry.place].open)
+            !manifolds[entry.place].open && bears(entry.pair.a) && bears(entry.pair.b))
             m_touching.push_back(entry.pair);
-    const auto numberOf = [&](BodyIndex body) { return mobile[body] != 0 ? body + 1 : 0; };
+    const auto numberOf = [&](BodyIndex body) { return input.bodies.mobile[body] != 0 ? body + 1 : 0; };
     m_ends.make(m_touching.size(), m_block.size() + 1, [&](std::size_t pair) {
         return PairEnds::Ends{numberOf(m_touching[pair].a), numberOf(m_touching[pair].b)};
     });

@@ -25,8 +25,8 @@
 //              by a few of them a pass. So there is a block of bodies for every division of the substep.
 //     levels   while an island of many bodies lies on each other in many levels, its block makes twice the
 //              passes: one takes too little of its slow modes (velocity_solve.h). A body is on the level of
-//              the least number of contacts that lead from it to something immobile; levels are counted once
-//              in a number of frames
+//              the least number of contacts that lead from it to something immobile, through bodies that are
+//              slow; levels are counted once in a number of frames
 //     renewal  if some bodies of an island may move beyond their reach, their pairs are found anew; at the
 //              start of a frame also those of bodies that need far less than they have, pairs that can no
 //              longer meet are removed, and all pairs of such an island are sorted again, or at once where
@@ -141,8 +141,8 @@ class BasePath {
         for (const SteppedMotion& block : m_blocks) sum += block.isEmpty() ? 0 : block.stillBodies();
         return sum;
     }
-    /// Counts levels, if it is time: when a frame begins. `mobile` is by body.
-    void countLevels(const std::vector<std::uint8_t>& mobile, const Manifolds& manifolds);
+    /// Counts levels, if it is time: when a frame begins.
+    void countLevels(const SteppedInput& input, const Manifolds& manifolds);
     /// Marks islands that, as of the last substep, have so many contacts that they would enter another block,
     /// of a coarser division: they have grown since they entered. True if there are any.
     bool markOutgrown(const Manifolds& manifolds);
@@ -244,8 +244,7 @@ class BasePath {
     ContactCount countOf(const Island& island, const Manifolds& manifolds) const;
     std::uint8_t numberFor(const Island& island, const Manifolds& manifolds);
     void addIsland(const SteppedInput& input, const Island& island, std::uint8_t number, double substep);
-    std::uint32_t levelsOf(SteppedMotion& block, const std::vector<std::uint8_t>& mobile,
-                           const Manifolds& manifolds);
+    std::uint32_t levelsOf(const SteppedInput& input, SteppedMotion& block, const Manifolds& manifolds);
     void countContacts(std::size_t number, const Manifolds& manifolds);
     void loadMember(const SteppedInput& input, BodyIndex member, std::uint8_t number, Entry& entry,
                     Manifolds& manifolds);

@@ -30,7 +30,7 @@ void Contacts::findMembers(const SolverInput& input) {
         if (input.part == 0) {
             for (const BodyIndex i : m_active) // what has settled stands still
                 if (m_base.has(i) && m_backOff[i] == 0 && !m_base.hasStill(i)) m_base.mark(i);
-            m_base.countLevels(input.bodies.mobile, m_found.manifolds());
+            m_base.countLevels(stepped(input), m_found.manifolds());
             m_base.markOutgrown(m_found.manifolds());
         }
         if (!m_base.renew(stepped(input), reachTime(input, input.parts * input.substep), lastingSkin,
