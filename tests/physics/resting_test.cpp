@@ -47,6 +47,22 @@ Scene towerAt(double x) {
 
 } // namespace
 
+constexpr double courseHeight = 0.2; // [m]
+
+/// A wall of twenty courses of bricks that touch on all sides, on a floor with this friction.
+Scene flushWall(double friction, const Vec3& velocity) {
+    const Vec3 size(0.4, courseHeight, 0.2); // [m]
+    constexpr int courses = 20, length = 30;
+    Scene scene = sceneOf({floorOf(friction, 0.1)}, downwards());
+    for (int row = 0; row < courses; ++row)
+        for (int i = 0; i < length - row % 2; ++i) {
+            const Vec3 place((i + 0.5 * (row % 2)) * size.x(), (row + 0.5) * size.y(), 0);
+            scene.bodies.push_back(rough(cuboid(size, 1, place), 0.6, 0.1));
+            scene.bodies.back().velocity = velocity;
+        }
+    return scene;
+}
+
 class RestingTest : public QObject {
     Q_OBJECT
 
@@ -371,23 +387,33 @@ class RestingTest : public QObject {
     // Bricks that touch on all sides, half-brick bond, twenty courses: with one pass a step the wall swayed
     // for ever, and rose.
     void aFlushWallOfBricksComesToRest() {
-        const Vec3 size(0.4, 0.2, 0.2); // [m]
-        constexpr int courses = 20, length = 30;
-        Scene scene = sceneOf({floorOf(0.6, 0.1)}, downwards());
-        for (int row = 0; row < courses; ++row)
-            for (int i = 0; i < length - row % 2; ++i) {
-                const Vec3 place((i + 0.5 * (row % 2)) * size.x(), (row + 0.5) * size.y(), 0);
-                scene.bodies.push_back(rough(cuboid(size, 1, place), 0.6, 0.1));
-            }
+        const Scene scene = flushWall(0.6, Vec3::Zero());
         World world = worldOf(scene, contacts("default"));
         run(world, 120);
         QCOMPARE(world.statistics().resting, static_cast<std::uint64_t>(scene.bodies.size() - 1));
         QVERIFY(world.statistics().work.unfinished == 0);
-        QVERIFY(deepestOverlap(world) < 2e-3 * size.y());
+        QVERIFY(deepestOverlap(world) < 2e-3 * courseHeight);
         for (BodyIndex i = 1; i < scene.bodies.size(); ++i) {
             const Vec3 way = world.state().pose[i].position - scene.bodies[i].pose.position;
-            QVERIFY(way.norm() < 0.02 * size.y());
+            QVERIFY(way.norm() < 0.02 * courseHeight);
         }
+    }
+    // What slides or falls does not sway: one pass in place of two is three sweeps of a step in place of
+    // five.
+    void aWallThatSlidesMakesFewerPassesThanOneThatStands() {
+        const auto sweptOf = [](const Vec3& velocity) {
+            World world = worldOf(flushWall(0, velocity), contacts("default"));
+            run(world, 32); // levels have been counted twice
+            std::uint64_t swept = 0;
+            for (int frame = 0; frame < 6; ++frame) {
+                world.step();
+                swept += world.statistics().work.rowsSwept;
+            }
+            return static_cast<double>(swept);
+        };
+        const double standing = sweptOf(Vec3::Zero()), sliding = sweptOf(Vec3(1, 0, 0));
+        QVERIFY(sliding > 0);
+        QVERIFY2(sliding < 0.75 * standing, qPrintable(QString::number(sliding / standing)));
     }
 };
 
