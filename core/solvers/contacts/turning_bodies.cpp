@@ -22,6 +22,10 @@ constexpr std::size_t fewTurning = Workers::enoughOf(30);
 /// fewer contacts are found. Where a cap lies on a face, the rim between two of its four points comes down by
 /// (1 − 1/√2) r φ.
 constexpr double turnedError = 0.0025, betweenPoints = 1 - 0.5 * std::numbers::sqrt2;
+/// The point at which a rim or a side touches moves on as a cylinder turns, so it is found anew at this part
+/// of that. At half, heaps of cylinders overlap by a tenth less at most and cost 5 % more, at twice by half
+/// as much again; where it is 1, by two and a half times as much.
+constexpr double rolledPart = 1.0 / 8;
 
 } // namespace
 
@@ -31,8 +35,9 @@ Turnable turnableOf(const Shape& shape, double radius) {
     const double most = turnedError * halfThicknessOf(shape), far = 2 * most / radius;
     const Cylinder* const cylinder = std::get_if<Cylinder>(&shape);
     if (cylinder == nullptr) return {far, far, far, false};
+    const double rolled = rolledPart * far;
     const double onCap = most / (betweenPoints * cylinder->radius);
-    return {far, far, std::min(far, onCap * onCap), true};
+    return {rolled, rolled, std::min(rolled, onCap * onCap), true};
 }
 
 void TurningBodies::add(const Bodies& bodies, BodyIndex body, const State& state) {
