@@ -12,15 +12,6 @@ Vec3 pointAtStart(const Scene& scene, BodyIndex body, const Vec3& at) {
     return body == noBody ? at : scene.bodies[body].pose.toWorld(at);
 }
 
-Vec3 pointNow(const State& state, BodyIndex body, const Vec3& at) {
-    return body == noBody ? at : state.pose[body].toWorld(at);
-}
-
-Vec3 velocityNow(const State& state, BodyIndex body, const Vec3& at) {
-    if (body == noBody) return Vec3::Zero();
-    return state.velocity[body] + state.angularVelocity[body].cross(state.pose[body].orientation * at);
-}
-
 } // namespace
 
 std::vector<SpringForce> springsOf(const Scene& scene) {
@@ -40,18 +31,22 @@ std::vector<SpringForce> springsOf(const Scene& scene) {
     return springs;
 }
 
-Vec3 apartOf(const SpringForce& spring, const State& state) {
-    return pointNow(state, spring.to, spring.toAt) - pointNow(state, spring.from, spring.fromAt);
+SpringPoint springPoint(const State& state, BodyIndex body, const Vec3& at) {
+    if (body == noBody) return {.place = at};
+    const Vec3 arm = state.pose[body].directionToWorld(at);
+    return {state.pose[body].position + arm, state.velocity[body] + state.angularVelocity[body].cross(arm),
+            arm};
+}
+
+double lengthOf(const SpringForce& spring, const State& state) {
+    return (springPoint(state, spring.to, spring.toAt).place -
+            springPoint(state, spring.from, spring.fromAt).place)
+        .norm();
 }
 
 Vec3 forceOf(const SpringForce& spring, const State& state) {
-    const Vec3 apart = apartOf(spring, state);
-    const double length = apart.norm();
-    if (!(length > 0)) return Vec3::Zero();
-    const Vec3 along = apart / length;
-    const Vec3 speed =
-        velocityNow(state, spring.to, spring.toAt) - velocityNow(state, spring.from, spring.fromAt);
-    return -(spring.stiffness * (length - spring.length) + spring.damping * along.dot(speed)) * along;
+    return forceOf(spring, springPoint(state, spring.from, spring.fromAt),
+                   springPoint(state, spring.to, spring.toAt));
 }
 
 double springEnergy(const SpringForce& spring, double length) {

@@ -33,12 +33,23 @@ struct SpringForce {
 /// not given are those at the start.
 std::vector<SpringForce> springsOf(const Scene& scene);
 
-/// From the first point of a spring to the second, as they are now [m].
-Vec3 apartOf(const SpringForce& spring, const State& state);
-inline double lengthOf(const SpringForce& spring, const State& state) {
-    return apartOf(spring, state).norm();
+/// A point at which a spring ends, as it is now.
+struct SpringPoint {
+    Vec3 place = Vec3::Zero();    ///< [m]
+    Vec3 velocity = Vec3::Zero(); ///< [m/s]
+    Vec3 arm = Vec3::Zero();      ///< from the body's centre [m]; 0 in the world
+};
+SpringPoint springPoint(const State& state, BodyIndex body, const Vec3& at);
+/// How far apart the two points are now [m].
+double lengthOf(const SpringForce& spring, const State& state);
+/// What a spring between these points does to `to` [N]; the direction of one without length is that of y.
+inline Vec3 forceOf(const SpringForce& spring, const SpringPoint& from, const SpringPoint& to) {
+    const Vec3 apart = to.place - from.place;
+    const double length = apart.norm();
+    const Vec3 direction = length > 0 ? Vec3(apart / length) : Vec3(Vec3::UnitY());
+    const double rate = direction.dot(to.velocity - from.velocity);
+    return -(spring.stiffness * (length - spring.length) + spring.damping * rate) * direction;
 }
-/// What the spring does to `to` as it is now [N].
 Vec3 forceOf(const SpringForce& spring, const State& state);
 
 /// What a spring of this length [m] stores [J].

@@ -9,18 +9,6 @@
 namespace carom {
 namespace {
 
-/// One end of a spring: where it is, how fast, and on which lever.
-struct End {
-    Vec3 point, velocity, arm;
-};
-
-End endOf(const State& state, BodyIndex body, const Vec3& at) {
-    if (body == noBody) return {at, Vec3::Zero(), Vec3::Zero()};
-    const Vec3 arm = state.pose[body].directionToWorld(at);
-    return {state.pose[body].position + arm, state.velocity[body] + state.angularVelocity[body].cross(arm),
-            arm};
-}
-
 void addTerms(const SpringNetwork& network, const State& state) {
     std::vector<ForceSample>& samples = network.scratch.samples;
     std::vector<ForceValue>& values = network.scratch.values;
@@ -48,12 +36,9 @@ void sumLoads(const SpringNetwork& network, const State& state) {
     if (!network.bodies.forces.empty()) addTerms(network, state);
     for (const std::uint32_t index : network.springs) {
         const SpringForce& spring = network.bodies.springs[index];
-        const End from = endOf(state, spring.from, spring.fromAt), to = endOf(state, spring.to, spring.toAt);
-        const Vec3 apart = to.point - from.point;
-        const double length = apart.norm();
-        const Vec3 direction = length > 0 ? Vec3(apart / length) : Vec3(Vec3::UnitY());
-        const double rate = direction.dot(to.velocity - from.velocity);
-        const Vec3 pull = -(spring.stiffness * (length - spring.length) + spring.damping * rate) * direction;
+        const SpringPoint from = springPoint(state, spring.from, spring.fromAt),
+                          to = springPoint(state, spring.to, spring.toAt);
+        const Vec3 pull = forceOf(spring, from, to);
         if (spring.to != noBody) {
             force[spring.to] += pull;
             torque[spring.to] += to.arm.cross(pull);

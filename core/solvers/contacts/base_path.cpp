@@ -29,10 +29,9 @@ constexpr int tooFew = 4;
 /// walls of twenty courses sway for ever, and rise by some 1e-3 of a brick in a second. At half, heaps of a
 /// hundred bodies make twice the passes; at twice, such walls sway.
 constexpr std::uint32_t fewLevels = 10;
-/// Bodies bear levels up to this part of √(size g), which is five times what is calm: what is faster falls or
-/// slides, and does not sway. At half, walls that sway by more than that do so for longer; at twice, heaps
-/// make two passes while they fall.
-constexpr double bearing = 0.05;
+/// Bodies bear levels up to this part of √(size g): what is faster falls or slides, and does not sway. At
+/// half, walls that sway by more than that do so for longer; at twice, heaps make two passes while they fall.
+constexpr double bearing = 5 * calmSpeed;
 /// A block that is tall remains so down to this part of it.
 constexpr double stillTall = 0.75;
 constexpr int passesOfTall = 2; // times those of others

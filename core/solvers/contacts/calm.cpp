@@ -46,12 +46,14 @@ bool isSlowerThan(double part, const Bodies& bodies, const State& state, BodyInd
 }
 
 Calm::Calm(const Bodies& bodies)
-    : m_stays(bodies.count()), m_hold(bodies.count(), Hold::Free),
+    : m_stays(bodies.count()), m_isOnSpring(bodies.count(), 0), m_isUndamped(bodies.count(), 0),
       m_floating(bodies.count(), Floating::Unknown) {
     for (const SpringForce& spring : bodies.springs)
         for (const BodyIndex end : {spring.from, spring.to})
-            if (end != noBody)
-                m_hold[end] = std::max(m_hold[end], spring.damping > 0 ? Hold::Damped : Hold::Undamped);
+            if (end != noBody) {
+                m_isOnSpring[end] = 1;
+                if (!(spring.damping > 0)) m_isUndamped[end] = 1;
+            }
 }
 
 void Calm::note(const Bodies& bodies, const State& state, std::span<const BodyIndex> list,
@@ -63,7 +65,7 @@ void Calm::note(const Bodies& bodies, const State& state, std::span<const BodyIn
             stay.time += time;
         else
             stay = {.from = state.pose[i], .slow = stay.slow};
-        const bool isSlow = isOnSpring(i) && isSlowerThan(restSpeed, bodies, state, i, gravity);
+        const bool isSlow = m_isOnSpring[i] != 0 && isSlowerThan(restSpeed, bodies, state, i, gravity);
         stay.slow = isSlow ? stay.slow + time : 0;
     }
 }
@@ -83,14 +85,15 @@ bool Calm::areAtRest(const Bodies& bodies, std::span<const BodyIndex> list, cons
 }
 
 bool Calm::haveRested(std::span<const BodyIndex> list, double slowest) const {
-    return std::all_of(list.begin(), list.end(),
-                       [&](BodyIndex i) { return !isOnSpring(i) || m_stays[i].slow >= calmTime * slowest; });
+    return std::all_of(list.begin(), list.end(), [&](BodyIndex i) {
+        return m_isOnSpring[i] == 0 || m_stays[i].slow >= calmTime * slowest;
+    });
 }
 
 bool Calm::isCalm(const Bodies& bodies, const State& state, BodyIndex body, const Vec3& gravity,
                   double slowest) const {
     const Stay& stay = m_stays[body];
-    const double time = m_hold[body] == Hold::Undamped ? stay.slow : stay.time;
+    const double time = m_isUndamped[body] != 0 ? stay.slow : stay.time;
     return isLong(time, bodies, body, gravity) && time >= calmTime * slowest &&
            isSlowerThan(calmSpeed, bodies, state, body, gravity);
 }

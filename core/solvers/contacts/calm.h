@@ -60,7 +60,8 @@ class Calm {
 
     explicit Calm(const Bodies& bodies);
 
-    bool isOnSpring(BodyIndex body) const { return m_hold[body] != Hold::Free; }
+    /// By body, not 0: a spring ends on it.
+    std::span<const std::uint8_t> isOnSpring() const { return m_isOnSpring; }
 
     /// Takes note of another `time` [s] of bodies.
     void note(const Bodies& bodies, const State& state, std::span<const BodyIndex> list, const Vec3& gravity,
@@ -87,11 +88,10 @@ class Calm {
 
   private:
     enum class Floating : std::uint8_t { Unknown, No, Yes };
-    enum class Hold : std::uint8_t { Free, Damped, Undamped }; ///< Undamped: one of its springs is
 
     std::vector<Stay> m_stays;
-    std::vector<Hold> m_hold;         ///< by body
-    std::vector<Floating> m_floating; ///< by body
+    std::vector<std::uint8_t> m_isOnSpring, m_isUndamped; ///< by body; the latter: one of its springs is
+    std::vector<Floating> m_floating;                     ///< by body
 };
 
 /// Takes all velocity from bodies; what that costs is recorded under Rest.

@@ -114,7 +114,7 @@ void Contacts::findContacts(const SolverInput& input) {
 // if one touches two blocks: the bodies that it touches there must then leave.
 bool Contacts::findJoining(const SolverInput& input) {
     m_reach.find({here(input), m_neighbours, m_members, m_found.set().pairs, m_found.gaps(),
-                  m_found.canMeet(), m_isOnSpring, m_base.blockOf()});
+                  m_found.canMeet(), m_calm.isOnSpring(), m_base.blockOf()});
     m_islands.find(m_bodies, m_candidates.free(), m_found.set().pairs, m_links, m_reach.pairs());
     m_joins.assign(m_islands.count(), 0);
     if (m_base.isEmpty()) return true;

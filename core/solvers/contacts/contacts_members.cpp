@@ -11,7 +11,7 @@ namespace carom {
 void Contacts::findMembers(const SolverInput& input) {
     listMembers(input);
     if (input.part == 0)
-        m_flight.choose(input, m_isOnSpring, m_base.blockOf(), m_members);
+        m_flight.choose(input, m_calm.isOnSpring(), m_base.blockOf(), m_members);
     else
         m_flight.advance(input);
     listActive(input);
@@ -75,7 +75,7 @@ void Contacts::listActive(const SolverInput& input) {
 // Whether nothing will change of a body that stood still when the substep began, and has not been woken. Of
 // one on a spring the time for which it has stayed is still asked.
 bool Contacts::maySettle(BodyIndex body) const {
-    return m_base.isStill(body) && m_isOnSpring[body] == 0 && m_backOff[body] == 0 &&
+    return m_base.isStill(body) && m_calm.isOnSpring()[body] == 0 && m_backOff[body] == 0 &&
            !m_refinement.waits(body) && !m_bodies.forces.actOn(body) && m_neighbours.maySettle(body);
 }
 

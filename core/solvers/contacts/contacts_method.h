@@ -59,13 +59,8 @@ class Contacts final : public Solver {
         : m_bodies(bodies), m_settings(settings), m_neighbours(bodies), m_sleeping(bodies.count()),
           m_flight(bodies), m_candidates(bodies), m_reach(bodies.count()), m_refinement(bodies.count()),
           m_base(bodies.count(), passesOf(settings)), m_backOff(bodies.count(), 0),
-          m_brief(bodies.count(), passesOf(settings)), m_calm(bodies), m_isOnSpring(bodies.count(), 0),
-          m_slowest(bodies.count(), 0.0) {
-        for (const SpringForce& spring : bodies.springs) {
-            m_links.push_back({spring.from, spring.to});
-            for (const BodyIndex end : {spring.from, spring.to})
-                if (end != noBody) m_isOnSpring[end] = 1;
-        }
+          m_brief(bodies.count(), passesOf(settings)), m_calm(bodies), m_slowest(bodies.count(), 0.0) {
+        for (const SpringForce& spring : bodies.springs) m_links.push_back({spring.from, spring.to});
     }
 
     SolverReport advance(const SolverInput& input) override;
@@ -152,11 +147,10 @@ class Contacts final : public Solver {
     std::vector<std::uint8_t> m_backOff; // by body of m_base: substeps until its island is tried again
     BasePath m_brief;                    // for one substep
     Calm m_calm;
-    std::vector<std::uint8_t> m_isOnSpring; // by body
-    std::vector<double> m_slowest;          // by body on a spring on the base path: τ of its island [s]
-    std::vector<BodyIndex> m_members;       // mobile bodies that neither sleep nor fly
-    std::vector<BodyIndex> m_active;        // of these, ascending: those that have not settled
-    double m_substep = 0, m_frame = 0;      // when those settled that have [s]
+    std::vector<double> m_slowest;     // by body on a spring on the base path: τ of its island [s]
+    std::vector<BodyIndex> m_members;  // mobile bodies that neither sleep nor fly
+    std::vector<BodyIndex> m_active;   // of these, ascending: those that have not settled
+    double m_substep = 0, m_frame = 0; // when those settled that have [s]
     std::vector<BodyIndex> m_entering, m_passing, m_woken, m_met, m_changed, m_joined, m_leaving;
     std::vector<Island> m_brieflyHere; // islands of m_brief
     std::vector<SteppedMotion::Entry> m_brieflyPaired;

@@ -123,16 +123,10 @@ void Neighbours::notePulls(const Bodies& bodies, const State& state, double dura
     if (!bodies.forces.empty())
         for (const BodyIndex i : bodies.mobileBodies) m_pull[i] = bodies.forces.reach(i, duration);
     for (const SpringForce& spring : bodies.springs) {
-        const auto placeOf = [&](BodyIndex i, const Vec3& at) {
-            return i == noBody ? at : state.pose[i].toWorld(at);
-        };
-        const auto velocityOf = [&](BodyIndex i, const Vec3& at) -> Vec3 {
-            if (i == noBody) return Vec3::Zero();
-            return state.velocity[i] + state.angularVelocity[i].cross(state.pose[i].directionToWorld(at));
-        };
-        const double length = (placeOf(spring.to, spring.toAt) - placeOf(spring.from, spring.fromAt)).norm();
-        const double way =
-            (velocityOf(spring.to, spring.toAt) - velocityOf(spring.from, spring.fromAt)).norm() * duration;
+        const SpringPoint from = springPoint(state, spring.from, spring.fromAt),
+                          to = springPoint(state, spring.to, spring.toAt);
+        const double length = (to.place - from.place).norm();
+        const double way = (to.velocity - from.velocity).norm() * duration;
         const double stretch = std::abs(length - spring.length) + way;
         const auto pull = [&](BodyIndex i, double arm) {
             if (i == noBody || bodies.mobile[i] == 0) return;
