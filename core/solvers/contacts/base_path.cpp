@@ -57,10 +57,6 @@ constexpr int sweepsOf(std::size_t number) {
     return division.looks * division.steps * division.passes;
 }
 
-/// The part of the rows swept that a tall block sweeps beyond others: a step has a warm start, and its passes
-/// with feedback and without.
-constexpr double beyondOfTall = 1 - 3.0 / (1 + 2 * passesOfTall);
-
 /// Only islands of few balls use these; contacts that they get later may need more sweeps.
 constexpr bool isForFewBalls(std::size_t number) { return number == 3 || number == 4 || number == 6; }
 
@@ -223,10 +219,8 @@ SteppedReport BasePath::advance(const SteppedInput& input, Manifolds& manifolds)
     for (std::size_t number = 0; number < divisions; ++number) {
         SteppedMotion& block = m_blocks[number];
         if (block.isEmpty() || report.loss) continue;
-        const bool isTall = m_isTall && number == ofMany;
-        if (number == ofMany) block.setPasses(m_passes * (isTall ? passesOfTall : 1));
+        if (number == ofMany) block.setPasses(m_passes * (m_isTall ? passesOfTall : 1));
         const SteppedReport one = block.advance(input, manifolds);
-        if (isTall) report.beyond = beyondOfTall * static_cast<double>(one.work.rowsSwept);
         report.residual = std::max(report.residual, one.residual);
         report.maxPenetration = std::max(report.maxPenetration, one.maxPenetration);
         report.contacts += one.contacts;

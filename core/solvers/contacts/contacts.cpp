@@ -21,7 +21,6 @@ SolverReport Contacts::rest(const SolverInput& input) {
     if (input.ledger != nullptr)
         m_sleeping.record(input.bodies, input.state, input.gravity, input.substep, *input.ledger);
     m_work = {};
-    m_beyond = 0;
     m_refinement.pay(0, baseOperations());
     return report;
 }
@@ -43,7 +42,6 @@ SolverReport Contacts::move(const SolverInput& input) {
     report.broadphase = m_watch.lap();
 
     m_work = {};
-    m_beyond = 0;
     findContacts(input);
     while (!findJoining(input)) { // an island touches two blocks: contacts are found again
         m_found.dropDistant();
@@ -281,7 +279,6 @@ void Contacts::moveStepped(const SolverInput& input, SolverReport& report) {
 
 void Contacts::take(const SteppedReport& stepped, SolverReport& report) {
     m_work.add(stepped.work);
-    m_beyond += stepped.beyond;
     report.contacts += stepped.contacts;
     report.maxPenetration = std::max(report.maxPenetration, stepped.maxPenetration);
     report.residual = std::max(report.residual, stepped.residual);
@@ -362,10 +359,9 @@ void Contacts::putToSleep(const SolverInput& input, const Island& island) {
     m_refinement.forget(island.bodies);
 }
 
-// An estimate of the work of the base path, in the unit of refinement's work. What tall islands cost more
-// than others is not taken from what refinement may save: towers that it would solve sway without it.
+// An estimate of the work of the base path, in the unit of refinement's work.
 double Contacts::baseOperations() const {
-    return work::swept * (static_cast<double>(m_work.rowsSwept) - m_beyond) +
+    return work::swept * static_cast<double>(m_work.rowsSwept) +
            work::carried * static_cast<double>(m_found.manifolds().entries().size());
 }
 

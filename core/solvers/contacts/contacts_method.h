@@ -170,7 +170,6 @@ class Contacts final : public Solver {
     SteppedMotion m_rest; // of a substep that refinement left unfinished
     Coasting m_coasting;
     WorkCounters m_work; // of this substep
-    double m_beyond = 0; // of its rows (SteppedReport::beyond)
     Stopwatch m_watch;   // goes on from substep to substep: reading it costs as much as a tiny phase
 };
 

@@ -94,7 +94,6 @@ struct SteppedReport {
     double maxPenetration = 0; ///< [m]
     std::size_t contacts = 0;  ///< pairs that may touch, at the last look
     WorkCounters work;
-    double beyond = 0; ///< of its rows, those of passes that only tall blocks make (base_path.h)
     Loss loss;
 };
 
