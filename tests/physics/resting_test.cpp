@@ -29,12 +29,9 @@ Body box(double x, double height) {
 
 /// A spring from a hook at x = z = 0 to the centre of a body below.
 Spring hookAbove(BodyIndex body, double height, double stiffness, double length, double damping) {
-    Spring spring;
-    spring.to = body;
+    Spring spring = springBetween(noBody, body, stiffness, damping);
     spring.fromAt = Vec3(0, height, 0);
-    spring.stiffness = stiffness;
     spring.length = length;
-    spring.damping = damping;
     return spring;
 }
 
@@ -315,12 +312,7 @@ class RestingTest : public QObject {
         constexpr double amplitude = 1e-4, rate = 0.01; // [m], [rad/s]
         Scene scene = sceneOf({floorOf(0)}, downwards());
         scene.bodies.push_back(rough(box(amplitude, 0.5 * edge), 0, 0.5));
-        Spring spring;
-        spring.to = 1;
-        spring.fromAt = Vec3(0, 0.5 * edge, 0);
-        spring.stiffness = rate * rate;
-        spring.length = 0;
-        scene.springs = {spring};
+        scene.springs = {hookAbove(1, 0.5 * edge, rate * rate, 0, 0)};
         World world = worldOf(scene, contacts("default"));
         for (int frame = 0; frame < 3000; ++frame) {
             world.step();
@@ -344,14 +336,8 @@ class RestingTest : public QObject {
             const Vec3 turn(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
             scene.bodies.push_back(rough(turned(cuboid(Vec3::Constant(0.25), 1, place), turn), 0.5, 0.1));
         }
-        for (BodyIndex i = first; i + 1 < first + boxes; i += 3) {
-            Spring spring;
-            spring.from = i;
-            spring.to = i + 1;
-            spring.stiffness = 500;
-            spring.damping = 10;
-            scene.springs.push_back(spring);
-        }
+        for (BodyIndex i = first; i + 1 < first + boxes; i += 3)
+            scene.springs.push_back(springBetween(i, i + 1, 500, 10));
         World world = worldOf(scene, contacts("default"));
         run(world, 600);
         QCOMPARE(world.statistics().resting, static_cast<std::uint64_t>(boxes));
@@ -365,12 +351,7 @@ class RestingTest : public QObject {
     // Two boxes far apart on a rough floor, joined by a spring: what strikes the one wakes both.
     void whatStrikesOneEndOfASpringWakesTheOther() {
         Scene scene = sceneOf({floorOf(0.5), box(0, 0.5 * edge), box(5, 0.5 * edge)}, downwards());
-        Spring spring;
-        spring.from = 1;
-        spring.to = 2;
-        spring.stiffness = 200;
-        spring.damping = 5;
-        scene.springs = {spring};
+        scene.springs = {springBetween(1, 2, 200, 5)};
         scene.bodies.push_back(moving(rough(sphere(0.3, 1, Vec3(-20.8, 0.7, 0)), 0), Vec3(4, 24.5, 0)));
         World world = worldOf(scene, contacts("default"));
         bool rested = false, woke = false;

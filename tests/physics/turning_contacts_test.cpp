@@ -397,11 +397,7 @@ class TurningContactsTest : public QObject {
             scene.bodies.push_back(
                 rough(moving(rod, Vec3::Zero(), 100 * uniformDirection(random)), 0.5, 0.2, rolling));
         }
-        Spring spring;
-        spring.from = 5;
-        spring.to = 6;
-        spring.stiffness = 1;
-        scene.springs.push_back(spring);
+        scene.springs.push_back(springBetween(5, 6, 1));
         World world = worldOf(scene, contacts(preset));
         const WorstOfRun worst = worstOf(world, 40);
         qInfo("gained %.1e, sunk in by %.1e m", worst.gained, worst.overlap);

@@ -61,6 +61,16 @@ inline Body wall(const Vec3& normal, double offset) {
     return body;
 }
 
+/// A spring as long as the way between the centres at the start; noBody is the world, at its origin.
+inline Spring springBetween(BodyIndex from, BodyIndex to, double stiffness, double damping = 0) {
+    Spring spring;
+    spring.from = from;
+    spring.to = to;
+    spring.stiffness = stiffness;
+    spring.damping = damping;
+    return spring;
+}
+
 inline Scene sceneOf(std::initializer_list<Body> bodies, const Vec3& gravity = Vec3::Zero()) {
     Scene scene;
     scene.bodies = bodies;

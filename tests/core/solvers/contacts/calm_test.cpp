@@ -125,12 +125,8 @@ class CalmTest : public QObject {
              {Case{4, 0, 0.1, 36, 3}, Case{4, 40, 0.1, 36, 10}, Case{4, 0, 250, 36, 5},
               Case{0, 40, 250, 36, 0}}) {
             Scene scene = test::sceneOf({test::sphere(radius, 1, Vec3::Zero())});
-            Spring spring;
-            spring.to = 0;
-            spring.fromAt = Vec3(0, length, 0);
-            spring.stiffness = stiffness;
-            spring.damping = damping;
-            scene.springs = {spring};
+            scene.springs = {test::springBetween(noBody, 0, stiffness, damping)};
+            scene.springs[0].fromAt = Vec3(0, length, 0);
             const std::uint32_t first = 0;
             QCOMPARE(
                 slowestTime(tied(scene), initialStateOf(scene), std::span(&first, 1), mass, Vec3(0, -g, 0)),
@@ -145,11 +141,7 @@ class CalmTest : public QObject {
         for (const double damping : {0.0, 1.0})
             for (const double part : {0.5, 2.0}) { // of what is rest
                 Scene scene = test::sceneOf({test::sphere(radius, 1, Vec3::Zero())});
-                Spring spring;
-                spring.to = 0;
-                spring.stiffness = 1;
-                spring.damping = damping;
-                scene.springs = {spring};
+                scene.springs = {test::springBetween(noBody, 0, 1, damping)};
                 const Bodies bodies = tied(scene);
                 State state = initialStateOf(scene);
                 state.velocity[0] = {part * restSpeed * std::sqrt(radius * g), 0, 0};

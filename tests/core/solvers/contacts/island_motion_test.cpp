@@ -41,6 +41,15 @@ Scene ballsOnATower(double speed) {
     return scene;
 }
 
+MotionInput inputOf(const Bodies& bodies, const SolverSettings& settings, State& state, double budget) {
+    return {.bodies = bodies,
+            .settings = settings,
+            .gravity = islandGravity,
+            .substep = islandSubstep,
+            .state = state,
+            .budget = budget};
+}
+
 } // namespace
 
 class IslandMotionTest : public QObject {
@@ -73,13 +82,7 @@ void IslandMotionTest::noBudgetLetsABodyThrough() {
     for (double budget = 100; budget < enoughOperations; budget *= 1.05) {
         State state = start;
         IslandMotion motion;
-        motion.advance({.bodies = bodies,
-                        .settings = settings,
-                        .gravity = islandGravity,
-                        .substep = islandSubstep,
-                        .state = state,
-                        .budget = budget},
-                       islands[0], found);
+        motion.advance(inputOf(bodies, settings, state, budget), islands[0], found);
         ++(motion.left() > 0 ? unfinished : finished);
         ContactSet reached;
         for (const ContactPair& pair : found.pairs)
@@ -120,13 +123,7 @@ void IslandMotionTest::roundsOfSpringsCountAgainstTheBudget() {
     QCOMPARE(islands.count(), std::size_t{1});
     const auto leftWith = [&](double budget, IslandMotion& motion) {
         State state = start;
-        motion.advance({.bodies = bodies,
-                        .settings = settings,
-                        .gravity = islandGravity,
-                        .substep = islandSubstep,
-                        .state = state,
-                        .budget = budget},
-                       islands[0], found);
+        motion.advance(inputOf(bodies, settings, state, budget), islands[0], found);
         return motion.left();
     };
     IslandMotion whole, part;

@@ -51,10 +51,7 @@ void addGroup(std::uint64_t kind, const Vec3& place, Random& random, Scene& scen
     if (kind == 1) { // held by a spring, in the air
         for (const double side : {-1.0, 1.0})
             scene.bodies.push_back(test::sphere(0.2, random.uniform(0.5, 2), place + Vec3(side, 5, 0)));
-        Spring spring;
-        spring.from = first;
-        spring.to = first + 1;
-        spring.stiffness = 50;
+        Spring spring = test::springBetween(first, first + 1, 50);
         spring.length = 1.5;
         scene.springs.push_back(spring);
         return;

@@ -35,11 +35,8 @@ Body ball(const Vec3& centre, const Vec3& velocity, double elastic) {
 }
 
 /// Undamped, of no length at rest.
-Spring springBetween(BodyIndex from, BodyIndex to, double stiffness) {
-    Spring spring;
-    spring.from = from;
-    spring.to = to;
-    spring.stiffness = stiffness;
+Spring lengthless(BodyIndex from, BodyIndex to, double stiffness) {
+    Spring spring = test::springBetween(from, to, stiffness);
     spring.length = 0;
     return spring;
 }
@@ -183,7 +180,7 @@ class SteppedMotionTest : public QObject {
             const double rate = phase / h;
             Vec3 place(0.1, 0.02, 0), velocity(-0.03 * rate, 0, 0.1 * rate);
             Scene scene = test::sceneOf({ball(place, velocity, 1)});
-            scene.springs = {springBetween(noBody, 0, rate * rate)};
+            scene.springs = {lengthless(noBody, 0, rate * rate)};
             FewBodies path(scene);
             for (int n = 0; n < 3; ++n) {
                 path.step();
@@ -328,7 +325,7 @@ class SteppedMotionTest : public QObject {
             const auto speed = [&] { return Vec3(0.3 * rate * uniformDirection(random)); };
             Scene scene = test::sceneOf({ball({0, 0, 0}, speed(), 1), ball({0.2, 0.05, 0}, speed(), 1),
                                          ball({0.35, -0.1, 0.1}, speed(), 1)});
-            scene.springs = {springBetween(0, 1, rate * rate), springBetween(1, 2, rate * rate)};
+            scene.springs = {lengthless(0, 1, rate * rate), lengthless(1, 2, rate * rate)};
             FewBodies path(scene);
             const auto energy = [&] {
                 double sum = springEnergy(path.bodies.springs, path.state);

@@ -173,11 +173,7 @@ class StillBodiesTest : public QObject {
         const double stiffness = 20;
         const double stretch = part * test::gravity / stiffness; // [m]
         for (const BodyIndex from : {1U, 2U}) {
-            Spring spring;
-            spring.from = from;
-            spring.to = from + 1;
-            spring.stiffness = stiffness;
-            spring.damping = 1;
+            Spring spring = test::springBetween(from, from + 1, stiffness, 1);
             if (from == 1) spring.length = 0.5 - stretch;
             scene.springs.push_back(spring);
         }
