@@ -11,7 +11,6 @@
 
 #include <QMap>
 #include <QRegularExpression>
-#include <QTemporaryDir>
 #include <QTest>
 
 #include <algorithm>
@@ -95,21 +94,6 @@ QByteArray withSetting(const QByteArray& text, const AccuracySetting& setting) {
     return (scene + words + QStringLiteral(" }\n")).toUtf8();
 }
 
-/// Instructions of each text, in one run of valgrind.
-QMap<QByteArray, double> instructionsOf(const QList<QByteArray>& texts) {
-    const QTemporaryDir folder;
-    const QString counts = folder.filePath(QStringLiteral("counts"));
-    const test::Ended ended = test::countFrames(texts, warmUp, counted, counts);
-    QMap<QByteArray, double> instructions;
-    if (ended.exitCode != 0) return instructions;
-    for (qsizetype i = 0; i < texts.size(); ++i)
-        for (const QString& line :
-             linesOf(QString::fromUtf8(readFile(counts + QStringLiteral(".%1").arg(i + 1)))))
-            if (line.startsWith(QStringLiteral("totals: ")))
-                instructions[texts[i]] = line.section(QLatin1Char(' '), 1, 1).toDouble();
-    return instructions;
-}
-
 /// Whether a setting may cost less than a third of the scene's own. One of the same method that works at
 /// least as carefully takes at least a part of its time in proportion to its substeps; integrators differ by
 /// more where there are springs. Where exact events serve nothing is dearer than `accurate`: 340 ms a frame
@@ -185,7 +169,7 @@ class DefaultCostTest : public QObject {
         for (const QList<Contender>& ofScene : m_contenders)
             if (ofScene.size() > 1)
                 for (const Contender& contender : ofScene) texts.push_back(contender.text);
-        m_instructions = instructionsOf(texts);
+        m_instructions = instructionsOf(texts, warmUp, counted);
         QVERIFY2(m_instructions.size() == texts.size(), "valgrind is a package that the tests need");
     }
 

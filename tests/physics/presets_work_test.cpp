@@ -62,6 +62,7 @@ class PresetsWorkTest : public QObject {
     // With one substep a frame, what flies came so far in it that all bodies were one island, of which every
     // impact looked at all pairs again: 1.2 to 3.7 times the work of default runs. The median of some scenes
     // counts: how two runs differ in one of them is a matter of chance, by up to a factor of two.
+    // What all of them cost together: preset_cost_test.
     void fastRunsOfBouncingBodiesCostNoMore() {
         std::vector<double> times;
         for (const std::uint64_t seed : {8, 28, 40, 63, 64, 81, 97, 100}) {
