@@ -191,20 +191,24 @@ class Neighbours {
     /// Struck at its end, the surface of a thin rod takes so many times the velocity that its centre takes
     /// from the same impulse: 1 + (l/2)^2 m/I, with I = m l^2/12.
     static constexpr double mostEccentric = 4;
+    /// By what part of the closing speed an impact with `striker` changes the velocity of a mobile body's
+    /// surface at most: (1 + e) times its part of what both yield to an impulse.
+    static double impactPart(const Bodies& bodies, BodyIndex body, BodyIndex striker) {
+        const bool isBall = std::holds_alternative<Sphere>(bodies.shape[body]);
+        const double yields = (isBall ? 1 : mostEccentric) * bodies.inverseMass[body];
+        return (1 + pairRestitution(bodies.elastic[body], bodies.elastic[striker])) * yields /
+               (yields + bodies.inverseMass[striker]);
+    }
     /// How fast or how far the surface of a mobile body may move, which moves `own` by itself, after
     /// `striker`, which moves `other`, has struck it. Along the normal its velocity becomes
-    /// (1 - q) v + q v_striker, with q = (1 + e) times its part of what both yield to an impulse; and its
-    /// centre has no more energy than both had, so that no speed grows as it is passed on and back.
+    /// (1 - q) v + q v_striker, with q = impactPart(); and its centre has no more energy than both had, so
+    /// that no speed grows as it is passed on and back.
     static double speedAfter(const Bodies& bodies, BodyIndex body, double own, BodyIndex striker,
                              double other) {
-        const double inverse = bodies.inverseMass[body], strikers = bodies.inverseMass[striker];
-        const double restitution = pairRestitution(bodies.elastic[body], bodies.elastic[striker]);
-        const bool isBall = std::holds_alternative<Sphere>(bodies.shape[body]);
-        const double yields = (isBall ? 1 : mostEccentric) * inverse;
-        const double part = (1 + restitution) * yields / (yields + strikers);
+        const double part = impactPart(bodies, body, striker);
         const double byImpact = std::abs(1 - part) * own + part * other;
-        const double byEnergy = std::sqrt(own * own + inverse / strikers * other * other);
-        return std::max(own, std::min(byImpact, byEnergy));
+        const double ratio = bodies.inverseMass[body] / bodies.inverseMass[striker];
+        return std::max(own, std::min(byImpact, std::sqrt(own * own + ratio * other * other)));
     }
 
     /// The bodies in pairs with `body` that it may meet now, or within `time` [s] while both follow their
