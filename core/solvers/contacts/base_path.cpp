@@ -104,7 +104,7 @@ Division BasePath::divisionFor(const Island& island, const ContactCount& count) 
 std::size_t BasePath::islands() const {
     std::size_t sum = 0;
     for (const SteppedMotion& block : m_blocks)
-        if (!block.isEmpty()) sum += block.islands();
+        if (!block.isEmpty()) sum += block.islands().count();
     return sum;
 }
 
@@ -191,7 +191,7 @@ std::uint8_t BasePath::numberFor(const Island& island, const Manifolds& manifold
         const std::size_t number = m_block[here] - 1u;
         std::array<std::vector<ContactCount>, divisions>& counts = m_counts;
         if (counts[number].empty()) countContacts(number, manifolds);
-        count.add(counts[number][block(number).islandOf(here)]);
+        count.add(counts[number][block(number).islands().of(here)]);
         if (isFarWrong(number, count)) mark(here);
         return m_block[here];
     }
@@ -205,13 +205,13 @@ void BasePath::loadMember(const SteppedInput& input, BodyIndex member, std::uint
     const BodyIndex here = hereOf(entry.pair);
     if (here != noBody && m_block[here] != number) {
         mark(here); // too far away for this substep, else findJoining() had marked it
-        block.mark(block.islandOf(member));
+        block.islands().mark(block.islands().of(member));
         if (entry.place != Manifolds::none) manifolds.remove(entry.place);
         return;
     }
     block.addPair(input, entry, manifolds);
     if (here == noBody) return;
-    block.joinIslands(block.islandOf(here), block.islandOf(member));
+    block.islands().join(here, member);
 }
 
 SteppedReport BasePath::advance(const SteppedInput& input, Manifolds& manifolds) {
@@ -234,7 +234,7 @@ SteppedReport BasePath::advance(const SteppedInput& input, Manifolds& manifolds)
 void BasePath::countContacts(std::size_t number, const Manifolds& manifolds) {
     std::array<std::vector<ContactCount>, divisions>& all = m_counts;
     std::vector<ContactCount>& counts = all[number];
-    counts.assign(block(number).islandNumbers(), {});
+    counts.assign(block(number).islands().islandNumbers(), {});
     block(number).forEachCount(manifolds, [&](std::uint32_t island, int points, bool isRound) {
         counts[island].add(points, isRound);
     });
@@ -289,7 +289,7 @@ bool BasePath::markOutgrown(const Manifolds& manifolds) {
         countContacts(number, manifolds);
         for (std::uint32_t island = 0; island < counts[number].size(); ++island) {
             if (!isWrong(number, counts[number][island])) continue;
-            block.mark(island);
+            block.islands().mark(island);
             any = true;
         }
     }

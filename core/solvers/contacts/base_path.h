@@ -105,24 +105,25 @@ class BasePath {
             if (!block.isEmpty()) block.forEachContact(bodies, state, manifolds, visit);
     }
     bool anyMarked() const {
-        return std::any_of(m_blocks.begin(), m_blocks.end(),
-                           [](const SteppedMotion& block) { return !block.isEmpty() && block.anyMarked(); });
+        return std::any_of(m_blocks.begin(), m_blocks.end(), [](const SteppedMotion& block) {
+            return !block.isEmpty() && block.islands().anyMarked();
+        });
     }
     /// Marks the island of a body on the base path: it is to leave.
     void mark(BodyIndex body) {
         SteppedMotion& block = blockWith(body);
-        block.mark(block.islandOf(body));
+        block.islands().mark(block.islands().of(body));
     }
     /// Whether some body stands still in the island of this body on the base path.
     bool hasStill(BodyIndex body) const {
         const SteppedMotion& block = m_blocks[m_block[body] - 1u];
-        return block.hasStill(block.islandOf(body));
+        return block.islands().hasStill(block.islands().of(body));
     }
     /// Marks the islands of which `is(body)` holds for all bodies.
     template<class Is>
     void markIslands(const Is& is) {
         for (SteppedMotion& block : m_blocks)
-            if (!block.isEmpty()) block.markIslands(is);
+            if (!block.isEmpty()) block.islands().markWhere(is);
     }
     /// Lets bodies of which `is(body)` holds stand still from now on, if the forces on them balance
     /// (still_bodies.h).

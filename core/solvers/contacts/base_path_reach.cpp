@@ -160,15 +160,15 @@ bool BasePath::renew(const SteppedInput& input, double time, double skin, Neighb
 void BasePath::orderWhereMany() {
     std::array<std::vector<std::size_t>, divisions>& outrun = m_outrun;
     for (std::size_t number = 0; number < divisions; ++number)
-        outrun[number].assign(block(number).isEmpty() ? 0 : block(number).islandNumbers(), 0);
+        outrun[number].assign(block(number).isEmpty() ? 0 : block(number).islands().islandNumbers(), 0);
     for (const Renewed& renewed : m_renewed) {
         SteppedMotion& block = blockWith(renewed.body);
-        const std::uint32_t island = block.islandOf(renewed.body);
-        if (fewRenewed * ++outrun[m_block[renewed.body] - 1u][island] > block.bodiesOf(island))
+        const std::uint32_t island = block.islands().of(renewed.body);
+        if (fewRenewed * ++outrun[m_block[renewed.body] - 1u][island] > block.islands().bodiesOf(island))
             block.orderSoon();
     }
     const auto leaves = [this](const Renewed& renewed) {
-        const bool is = blockWith(renewed.body).isMarked(renewed.body);
+        const bool is = blockWith(renewed.body).islands().isMarked(renewed.body);
         if (is) m_renewal[renewed.body] = 0;
         return is;
     };
@@ -195,7 +195,8 @@ void BasePath::findOutrun(const SteppedInput& input, double time, double skin, c
         });
         for (const Renewed& needed : std::span<const Renewed>(m_needed)) {
             const BodyIndex i = needed.body;
-            if (block.isMarked(i) || (needed.isNarrowed && m_reach[i] <= tooFar * needed.reach)) continue;
+            if (block.islands().isMarked(i) || (needed.isNarrowed && m_reach[i] <= tooFar * needed.reach))
+                continue;
             m_renewed.push_back(needed);
             m_renewal[i] = static_cast<std::uint32_t>(m_renewed.size());
         }
@@ -306,14 +307,14 @@ void BasePath::loadPairs(const SteppedInput& input, Neighbours& neighbours, Mani
     if (!m_missing.parting.empty())
         std::erase_if(m_missing.entries, [this](const Entry& entry) {
             const BodyIndex body = hereOf(entry.pair);
-            return blockWith(body).isMarked(body);
+            return blockWith(body).islands().isMarked(body);
         });
     std::swap(static_cast<std::vector<Entry>&>(m_entering), m_missing.entries);
     std::sort(m_entering.begin(), m_entering.end());
     for (const Entry& entry : m_entering) {
         const auto [a, b] = entry.pair;
         SteppedMotion& block = blockWith(hereOf(entry.pair));
-        if (has(a) && has(b)) block.joinIslands(block.islandOf(a), block.islandOf(b));
+        if (has(a) && has(b)) block.islands().join(a, b);
         block.addLate(input, entry, manifolds);
     }
 }
@@ -324,7 +325,8 @@ void BasePath::findMissing(const SteppedInput& input, BodyIndex i, const Neighbo
                            Missing& missing) const {
     for (const BodyIndex k : neighbours.around(i)) {
         const bool mobile = input.bodies.mobile[k] != 0;
-        if (mobile && (!has(k) || (m_renewal[k] > 0 && k < i) || blockWith(k).isMarked(k))) continue;
+        if (mobile && (!has(k) || (m_renewal[k] > 0 && k < i) || blockWith(k).islands().isMarked(k)))
+            continue;
         const BodyPair pair{std::min(i, k), std::max(i, k)};
         if (std::ranges::binary_search(m_sort.of(pair.a, m_present), pair, {}, &Present::pair)) continue;
         const double margin = marginOf(input, pair);

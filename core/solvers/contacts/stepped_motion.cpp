@@ -66,7 +66,7 @@ void SteppedMotion::begin(const Bodies& bodies, const Division& division, double
     m_substep = substep;
     m_step = substep / (division.looks * division.steps);
     clear();
-    m_local.resize(bodies.count(), 0);
+    m_islands.begin(bodies.count());
     m_bodies.assign(1, {});
     m_moved.assign(1, {});
     m_places.assign(1, {});
@@ -76,14 +76,8 @@ void SteppedMotion::begin(const Bodies& bodies, const Division& division, double
     m_areStillNoted = true;
     m_heldContacts = 0;
     m_heldDeepest = 0;
-    m_island.assign(1, 0);
-    m_slab.assign(1, 0);
     m_free.assign(1, {});
     m_struck.assign(1, 0);
-    m_groups.clear();
-    m_joined = 0;
-    m_isSettled = true;
-    m_isMarked = false;
     m_links.clear();
     m_entries.clear();
     m_isFlipped.clear();
@@ -92,11 +86,10 @@ void SteppedMotion::begin(const Bodies& bodies, const Division& division, double
     m_laws.clear();
     m_general.clear();
     m_ascending = 0;
-    m_isUnordered = m_isOrderedSoon = false;
+    m_isOrderedSoon = false;
     m_balls.clear();
     m_forced.clear();
     forgetPairs();
-    m_plan.forget();
     m_rows.begin(m_bodies.size(), immobile);
 }
 
@@ -104,31 +97,22 @@ void SteppedMotion::addIsland(const SteppedInput& input, std::span<const BodyInd
                               std::span<const std::uint32_t> springs) {
     m_isAfterKnown = m_weight.isKnown = false;
     forgetPairs();
-    m_plan.forget();
-    const std::uint32_t island = static_cast<std::uint32_t>(m_groups.size());
-    m_groups.push_back({.joined = island, .bodies = list.size()});
+    m_islands.add(list);
     for (const BodyIndex body : list) {
-        m_local[body] = static_cast<std::uint32_t>(m_bodies.size());
-        m_list.push_back(body);
         SolverBody& to = m_bodies.emplace_back();
         to.velocity = arrayOf(input.state.velocity[body]);
         to.spin = arrayOf(input.state.angularVelocity[body]);
         m_still.add();
-        setMass(input, m_local[body]);
+        setMass(input, m_islands.numberOf(body));
         m_moved.emplace_back();
         m_places.push_back({arrayOf(input.state.pose[body].position)});
         const Shape& shape = input.bodies.shape[body];
         m_turnable.push_back(turnableOf(shape, input.bodies.boundingRadius[body]));
         m_turning.add(input.bodies, body, input.state);
-        m_island.push_back(island);
-        m_slab.push_back(0);
         m_free.emplace_back();
         m_struck.push_back(0);
     }
     m_links.insert(m_links.end(), springs.begin(), springs.end());
-    if (list.size() < 2 * Slabs::fewBodies) return;
-    m_groups.back().unordered = list.size(); // it is to be divided
-    m_isUnordered = true;
 }
 
 void SteppedMotion::addPair(const SteppedInput& input, const Entry& entry, Manifolds& manifolds) {
@@ -157,11 +141,11 @@ void SteppedMotion::addPair(const SteppedInput& input, const Entry& entry, Manif
 void SteppedMotion::addBall(const SteppedInput& input, std::uint32_t entry, const ContactPair& laws,
                             const Manifolds& manifolds) {
     const Entry& from = m_entries[entry];
-    const bool isFlipped = m_local[from.pair.b] == immobile;
+    const bool isFlipped = m_islands.numberOf(from.pair.b) == immobile;
     m_isFlipped[entry] = isFlipped ? 1 : 0;
     const BodyIndex a = isFlipped ? from.pair.b : from.pair.a, b = isFlipped ? from.pair.a : from.pair.b;
-    BallPair pair{.a = m_local[a],
-                  .b = m_local[b],
+    BallPair pair{.a = m_islands.numberOf(a),
+                  .b = m_islands.numberOf(b),
                   .radiusB = input.bodies.boundingRadius[b],
                   .friction = laws.friction,
                   .restitution = laws.restitution,
@@ -184,7 +168,7 @@ void SteppedMotion::addBall(const SteppedInput& input, std::uint32_t entry, cons
 }
 
 SteppedReport SteppedMotion::advance(const SteppedInput& input, Manifolds& manifolds, double part) {
-    settle();
+    m_islands.settle();
     m_movedOn.clear();
     if (std::exchange(m_isOrderedSoon, false) || input.isFirst) order(input);
     if (!m_areStillNoted) noteStill(input, manifolds);
@@ -227,8 +211,8 @@ CAROM_WIDE void SteppedMotion::foreseeStruck(double duration, std::span<const st
         const Moved moved = gather(m_moved.data(), four);
         const Wide3 shift = moved.shift + time * body.velocity;
         const Wide turn = body.roundInverse > zero ? zero
-                                                   : carom::rootOf(dot(moved.turn, moved.turn)) +
-                                                         time * carom::rootOf(dot(body.spin, body.spin));
+                                                   : rootOf(dot(moved.turn, moved.turn)) +
+                                                         time * rootOf(dot(body.spin, body.spin));
         std::array<Wide, 4> to{shift.x, shift.y, shift.z, turn};
         transpose(to[0], to[1], to[2], to[3]);
         for (std::size_t lane = 0; lane < wideLanes; ++lane) {
@@ -322,7 +306,8 @@ void SteppedMotion::step(const SteppedInput& input, double duration, Manifolds& 
     });
     if (!input.bodies.forces.empty()) applyTerms(input, duration);
     findPulling(input.bodies);
-    prepareSprings(input.bodies, input.state, m_pulling, m_local, immobile, duration, m_bodies, m_springs);
+    prepareSprings(input.bodies, input.state, m_pulling, m_islands.local(), immobile, duration, m_bodies,
+                   m_springs);
     if (!m_pulling.empty()) rememberSprings(input);
     if (bounces) {
         findParts();
@@ -340,7 +325,7 @@ void SteppedMotion::step(const SteppedInput& input, double duration, Manifolds& 
     if (!m_pulling.empty()) limitSprings(input, settings, report);
     if (const std::uint32_t lost = firstNotFinite(m_bodies, m_moving.awake); lost != immobile) {
         const bool isVelocity = !vectorOf(m_bodies[lost].velocity).allFinite();
-        report.loss = {m_list[lost - 1], isVelocity ? "velocity" : "angular velocity"};
+        report.loss = {m_islands.bodyOf(lost), isVelocity ? "velocity" : "angular velocity"};
         return;
     }
     move(input, duration);
@@ -361,8 +346,8 @@ void SteppedMotion::step(const SteppedInput& input, double duration, Manifolds& 
     removeAdded(true);
     if (!m_pulling.empty()) m_springLimit.keep(springIslands(input), 0, m_bodies);
     forAwake(input.workers, [&](std::uint32_t i) {
-        input.state.velocity[m_list[i - 1]] = vectorOf(m_bodies[i].velocity);
-        input.state.angularVelocity[m_list[i - 1]] = vectorOf(m_bodies[i].spin);
+        input.state.velocity[m_islands.bodyOf(i)] = vectorOf(m_bodies[i].velocity);
+        input.state.angularVelocity[m_islands.bodyOf(i)] = vectorOf(m_bodies[i].spin);
     });
     if (input.ledger != nullptr && !m_forced.isEmpty()) recordTerms(input);
 }
@@ -406,8 +391,8 @@ bool SteppedMotion::mayGainEnergy(const StepSettings& settings, Workers& workers
 void SteppedMotion::applyTerms(const SteppedInput& input, double duration) {
     m_forced.clear();
     for (const std::uint32_t i : m_moving.awake)
-        if (input.bodies.forces.actOn(m_list[i - 1]))
-            m_forced.add(i, input.bodies, input.state, m_list[i - 1], duration);
+        if (input.bodies.forces.actOn(m_islands.bodyOf(i)))
+            m_forced.add(i, input.bodies, input.state, m_islands.bodyOf(i), duration);
     m_forced.solve(input.bodies.forces, input.gravity, duration);
     m_halfWays.assign(m_bodies.size(), 0.5 * duration * duration * input.gravity);
     for (const ForcedSteps::Step& step : m_forced.steps()) {
@@ -446,17 +431,18 @@ void SteppedMotion::rebound(const StepSettings& settings, Workers& workers, Step
 }
 
 SpringIslands SteppedMotion::springIslands(const SteppedInput& input) const {
-    return {input.bodies, input.state, m_pulling, m_local, m_island, m_groups.size()};
+    return {input.bodies,      input.state,          m_pulling,
+            m_islands.local(), m_islands.byNumber(), m_islands.islandNumbers()};
 }
 
 // Stores the energy that islands with springs may have when the step ends.
 void SteppedMotion::rememberSprings(const SteppedInput& input) {
     m_springLimit.remember(springIslands(input), m_bodies);
     for (const Entry& entry : m_entries)
-        if (m_local[entry.pair.a] == immobile || m_local[entry.pair.b] == immobile)
-            m_springLimit.hold(m_island[numberOf(entry.pair)]);
-    for (std::uint32_t island = 0; island < m_groups.size(); ++island)
-        if (m_groups[island].hasStill) m_springLimit.hold(island);
+        if (const auto [a, b] = m_islands.numbersOf(entry.pair); a == immobile || b == immobile)
+            m_springLimit.hold(m_islands.of(entry.pair));
+    for (std::uint32_t island = 0; island < m_islands.islandNumbers(); ++island)
+        if (m_islands.hasStill(island)) m_springLimit.hold(island);
 }
 
 // What position correction may add to the energy of each body.
@@ -492,7 +478,7 @@ CAROM_WIDE void SteppedMotion::shift(const SteppedInput& input, double duration,
             shift -= m_forced.isEmpty() ? half : m_halfWays[i];
         else
             m_struck[i] = 1;
-        Vec3& position = input.state.pose[m_list[i - 1]].position;
+        Vec3& position = input.state.pose[m_islands.bodyOf(i)].position;
         position += shift;
         m_places[i].position = arrayOf(position);
         add(moved.shift, shift);
@@ -514,8 +500,8 @@ void SteppedMotion::move(const SteppedInput& input, double duration) {
     input.workers.forRanges(m_turns.size(), fewAwake, [&](std::size_t begin, std::size_t end) {
         for (std::size_t k = begin; k < end; ++k) {
             const std::uint32_t i = m_turns[k];
-            input.state.pose[m_list[i - 1]].orientation = m_turning.orientationOf(i);
-            input.state.angularMomentum[m_list[i - 1]] = m_turning.momentumOf(i);
+            input.state.pose[m_islands.bodyOf(i)].orientation = m_turning.orientationOf(i);
+            input.state.angularMomentum[m_islands.bodyOf(i)] = m_turning.momentumOf(i);
         }
     });
     renewMasses();
@@ -541,7 +527,7 @@ void SteppedMotion::turnBalls(const SteppedInput& input) {
     forAwake(input.workers, [&](std::uint32_t i) {
         const Vec3 turn = vectorOf(m_moved[i].turn);
         if (!turnsLater(m_bodies[i]) || turn == Vec3::Zero()) return;
-        Quat& orientation = input.state.pose[m_list[i - 1]].orientation;
+        Quat& orientation = input.state.pose[m_islands.bodyOf(i)].orientation;
         orientation = (fromRotationVector(turn) * orientation).normalized();
         m_turning.setOrientation(i, orientation);
     });
@@ -565,7 +551,7 @@ void SteppedMotion::storeForces(Manifolds& manifolds, Workers& workers) const {
 
 bool SteppedMotion::isUnchanged(const State& state) const {
     for (std::size_t i = 1; i < m_bodies.size(); ++i) {
-        const BodyIndex body = m_list[i - 1];
+        const BodyIndex body = m_islands.bodyOf(i);
         if (vectorOf(m_bodies[i].velocity) != state.velocity[body] ||
             vectorOf(m_bodies[i].spin) != state.angularVelocity[body] ||
             vectorOf(m_places[i].position) != state.pose[body].position ||
@@ -576,15 +562,13 @@ bool SteppedMotion::isUnchanged(const State& state) const {
 }
 
 std::size_t SteppedMotion::bytes() const {
-    return heldBytes(m_list, m_local, m_bodies, m_moved, m_places, m_turnable, m_island, m_slab, m_free,
-                     m_struck, m_links, m_entries, m_isFlipped, m_general, m_open, m_heldDepth, m_balls,
-                     m_groups, m_still) +
+    return heldBytes(m_islands, m_bodies, m_moved, m_places, m_turnable, m_free, m_struck, m_links, m_entries,
+                     m_isFlipped, m_general, m_open, m_heldDepth, m_balls, m_still) +
            m_turning.bytes();
 }
 
 void SteppedMotion::clear() {
-    for (const BodyIndex body : m_list) m_local[body] = 0;
-    m_list.clear();
+    m_islands.clear();
     m_isAfterKnown = m_weight.isKnown = false;
 }
 

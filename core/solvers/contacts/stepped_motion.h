@@ -13,9 +13,9 @@
 #include "core/solvers/contacts/manifolds.h"
 #include "core/solvers/contacts/pair_ends.h"
 #include "core/solvers/contacts/pair_sort.h"
-#include "core/solvers/contacts/sections.h"
 #include "core/solvers/contacts/spring_limit.h"
 #include "core/solvers/contacts/spring_rows.h"
+#include "core/solvers/contacts/stepped_islands.h"
 #include "core/solvers/contacts/still_bodies.h"
 #include "core/solvers/contacts/turning_bodies.h"
 #include "core/solvers/contacts/velocity_solve.h"
@@ -111,25 +111,16 @@ class SteppedMotion {
 
     /// `substep` [s] is that of all that come.
     void begin(const Bodies& bodies, const Division& division, double substep);
-    bool isEmpty() const { return m_list.empty(); }
+    bool isEmpty() const { return m_islands.isEmpty(); }
     /// Mobile bodies, in the order they were added.
-    std::span<const BodyIndex> bodies() const { return m_list; }
-    std::uint32_t islandOf(BodyIndex body) const { return rootOf(m_island[m_local[body]]); }
-    std::size_t islands() const { return m_groups.size() - m_joined; }
+    std::span<const BodyIndex> bodies() const { return m_islands.bodies(); }
+    /// Of these bodies: which are joined, and which are to leave.
+    const SteppedIslands& islands() const { return m_islands; }
+    SteppedIslands& islands() { return m_islands; }
 
     /// Bodies of an island, with the springs that hold them.
     void addIsland(const SteppedInput& input, std::span<const BodyIndex> list,
                    std::span<const std::uint32_t> springs);
-    /// The two are one island from now on.
-    void joinIslands(std::uint32_t one, std::uint32_t other);
-    std::size_t bodiesOf(std::uint32_t island) const { return m_groups[island].bodies; }
-    /// The island will leave with the next leave().
-    void mark(std::uint32_t island) {
-        m_groups[island].leaves = true;
-        m_isMarked = true;
-    }
-    bool isMarked(BodyIndex body) const { return m_isMarked && m_groups[islandOf(body)].leaves; }
-    bool anyMarked() const { return m_isMarked; }
     /// Adds a pair of bodies that have been added, or of one of these and an immobile one. Its manifold is
     /// that of the last update; balls need none.
     void addPair(const SteppedInput& input, const Entry& entry, Manifolds& manifolds);
@@ -138,7 +129,7 @@ class SteppedMotion {
     void addLate(const SteppedInput& input, const Entry& entry, Manifolds& manifolds) {
         addPair(input, entry, manifolds);
         m_entries.back().isLate = true;
-        noteUnordered(entry.pair);
+        m_islands.noteUnordered(entry.pair);
     }
     /// So many pairs come that they are put in order before the next substep.
     void orderSoon() { m_isOrderedSoon = true; }
@@ -162,7 +153,7 @@ class SteppedMotion {
         for (const std::uint32_t i : numbers.going) {
             numbers.entries[i] = gone;
             if (m_entries[i].place != Manifolds::none) manifolds.remove(m_entries[i].place);
-            noteUnordered(m_entries[i].pair);
+            m_islands.noteUnordered(m_entries[i].pair);
         }
         forgetPairs();
         renumberEntries(numbers.entries);
@@ -190,42 +181,27 @@ class SteppedMotion {
     /// as of the last substep.
     template<class Visit>
     void forEachCount(const Manifolds& manifolds, const Visit& visit) const {
-        const auto islandHere = [this](BodyPair pair) { return rootOf(m_island[numberOf(pair)]); };
         for (const std::uint32_t entry : m_general) {
             const PersistentManifold& manifold = manifolds[m_entries[entry].place];
-            visit(islandHere(manifold.pair), manifold.open ? 0 : manifold.count, manifold.round);
+            visit(m_islands.of(manifold.pair), manifold.open ? 0 : manifold.count, manifold.round);
         }
         m_balls.forEachPressed(
-            [&](std::uint32_t index) { visit(islandHere(m_entries[index].pair), 1, true); });
-    }
-    /// What islandOf() returns is below this.
-    std::size_t islandNumbers() const { return m_groups.size(); }
-    /// Marks the islands of which `is(body)` holds for all bodies.
-    template<class Is>
-    void markIslands(const Is& is) {
-        settle();
-        m_isChosen.assign(m_groups.size(), 0);
-        for (std::size_t i = 1; i < m_island.size(); ++i) m_isChosen[m_island[i]] = 1;
-        for (std::size_t i = 1; i < m_island.size(); ++i)
-            if (m_isChosen[m_island[i]] != 0 && !is(m_list[i - 1])) m_isChosen[m_island[i]] = 0;
-        for (std::uint32_t island = 0; island < m_groups.size(); ++island)
-            if (m_isChosen[island] != 0) mark(island);
+            [&](std::uint32_t index) { visit(m_islands.of(m_entries[index].pair), 1, true); });
     }
     /// Lets bodies of which `is(body)` holds stand still from now on, if the forces on them balance; not in
     /// islands that are marked.
     template<class Is>
     void hold(const SteppedInput& input, const Manifolds& manifolds, const Is& is) {
-        settle();
+        m_islands.settle();
         m_candidates.clear();
         for (std::uint32_t i = 1; i < m_bodies.size(); ++i)
-            if (!m_still.is(i) && is(m_list[i - 1])) m_candidates.push_back(i);
+            if (!m_still.is(i) && is(m_islands.bodyOf(i))) m_candidates.push_back(i);
         holdStill(input, manifolds);
     }
     /// Sets slowestTime() (calm.h) of their island, by body at the end of a spring [s].
     void findSlowest(const SteppedInput& input, std::vector<double>& slowest);
-    bool hasStill(std::uint32_t island) const { return m_groups[rootOf(island)].hasStill; }
     std::size_t stillBodies() const { return m_still.count(); }
-    bool isStill(BodyIndex body) const { return m_still.is(m_local[body]); }
+    bool isStill(BodyIndex body) const { return m_still.is(m_islands.numberOf(body)); }
     /// Those that moved on in the last substep.
     std::span<const BodyIndex> movedOn() const { return m_movedOn; }
     std::span<Entry> entries() { return m_entries; }
@@ -243,8 +219,8 @@ class SteppedMotion {
     void clear();
 
   private:
-    static constexpr std::uint32_t immobile = 0;            ///< number of the immobile body
-    static constexpr std::uint32_t gone = BallRows::noPair; ///< new number of what does not stay
+    static constexpr std::uint32_t immobile = SteppedIslands::immobile;
+    static constexpr std::uint32_t gone = SteppedIslands::gone;
     struct Watched {
         std::uint32_t entry = 0;
         std::uint32_t open = 0;          ///< number of the pair in m_open
@@ -335,42 +311,12 @@ class SteppedMotion {
         double turn = 0;               ///< [rad]
         bool isStruck = false;         ///< by anything since the look, this step included
     };
-    /// An island is put in order when a frame begins if more than one pair for so many of its bodies has come
-    /// or gone since it was. At half, passes go through more pairs out of order and through empty lanes; at
-    /// twice, heaps that come to rest are put in order in every second frame.
-    static constexpr std::size_t fewUnordered = 4;
-    struct Group {
-        std::uint32_t joined = 0; ///< the island that it has been joined to; its own number if none
-        std::size_t bodies = 0;
-        bool leaves = false;
-        bool hasStill = false;     ///< bodies that stand still
-        std::size_t unordered = 0; ///< pairs that came or went since it was put in order
-        bool isUnordered() const { return fewUnordered * unordered > bodies; }
-    };
-    void noteUnordered(BodyPair pair) {
-        ++m_groups[rootOf(m_island[numberOf(pair)])].unordered;
-        m_isUnordered = true;
-    }
-    std::uint32_t rootOf(std::uint32_t island) const {
-        while (m_groups[island].joined != island) island = m_groups[island].joined;
-        return island;
-    }
-    /// The number of a mobile body of the pair.
-    std::uint32_t numberOf(BodyPair pair) const {
-        return m_local[pair.a] != 0 ? m_local[pair.a] : m_local[pair.b];
-    }
-    std::uint32_t numberAt(BodyIndex end) const { return end != noBody ? m_local[end] : immobile; }
     void forgetPairs();
     const PairEnds& ends();
     const RowCount& rowCountOf(std::uint32_t entry) const {
-        return m_rowCounts[m_island[numberOf(m_entries[entry].pair)]];
+        return m_rowCounts[m_islands.byNumber()[m_islands.memberOf(m_entries[entry].pair)]];
     }
-    std::pair<std::uint32_t, std::uint32_t> numbersOf(BodyPair pair) const {
-        return {m_local[pair.a], m_local[pair.b]};
-    }
-    void settle();
     void order(const SteppedInput& input);
-    void divide(const SteppedInput& input);
     void orderGeneral();
     void renumberGeneral(std::size_t from, std::size_t to);
     void renumberEntries(std::vector<std::uint32_t>& numbers);
@@ -474,10 +420,10 @@ class SteppedMotion {
     void joinParts(std::uint32_t a, std::uint32_t b);
     /// By number: the parts into which bodies that stand still divide an island; the island if none does.
     std::span<const std::uint32_t> partOf() const {
-        return m_still.any() ? std::span<const std::uint32_t>(m_part) : m_island;
+        return m_still.any() ? std::span<const std::uint32_t>(m_part) : m_islands.byNumber();
     }
     EnergyLimit::Members movingParts() const { return {m_moving.awake, partOf()}; }
-    std::size_t parts() const { return m_still.any() ? m_bodies.size() : m_groups.size(); }
+    std::size_t parts() const { return m_still.any() ? m_bodies.size() : m_islands.islandNumbers(); }
     void setMass(const SteppedInput& input, std::uint32_t number);
     void holdStill(const SteppedInput& input, const Manifolds& manifolds);
     bool isUnbalanced(const SteppedInput& input, std::uint32_t number, double part) const;
@@ -507,8 +453,7 @@ class SteppedMotion {
     Invariants m_after;               // as the last substep left them
     bool m_isAfterKnown = false;      // the same bodies are here since
     Derived<Weight> m_weight;
-    std::vector<BodyIndex> m_list;
-    std::vector<std::uint32_t> m_local; // by body of the scene: its number in the arrays below, or 0
+    SteppedIslands m_islands;
     // By number; 0 cannot move.
     std::vector<SolverBody> m_bodies;
     std::vector<Displacement> m_moved;
@@ -529,18 +474,11 @@ class SteppedMotion {
     bool m_arePartsFound = false;               // since the last look
     Scratch<std::vector<double>> m_given; // by number: speed that a strike may give what stands still [m/s]
     Scratch<std::vector<std::uint32_t>> m_struckStill; // numbers of these
-    std::vector<std::uint32_t> m_island;
-    std::vector<std::uint8_t> m_slab;   // of the island, when it was put in order last
     std::vector<BodyVelocity> m_free;   // before the step's impulses: as gravity and force terms leave them
     std::vector<std::uint8_t> m_struck; // by anything since the last look
     Scratch<std::vector<BodyVelocity>> m_before; // the rebound of an impact
     Scratch<std::vector<std::uint8_t>> m_active; // by it
 
-    std::vector<Group> m_groups; // by what islandOf() returns, and by what has been joined to another
-    std::size_t m_joined = 0;    // of these that are part of another
-    bool m_isSettled = true;     // m_island names islands
-    bool m_isMarked = false;     // any of them
-    Scratch<std::vector<std::uint8_t>> m_isChosen; // by island
     std::vector<std::uint32_t> m_links;            // springs
     Scratch<std::vector<std::uint32_t>> m_pulling; // of these, with an end that does not stand still
     Scratch<std::vector<SpringRow>> m_springs;
@@ -552,7 +490,6 @@ class SteppedMotion {
     std::vector<std::uint8_t> m_isFlipped; // by entry of balls: B is the pair's first
     std::vector<std::uint32_t> m_general;  // entries that are not of balls
     std::size_t m_ascending = 0;           // so many of the first are in order
-    bool m_isUnordered = false;            // pairs of some island came or went
     bool m_isOrderedSoon = false;
     std::vector<OpenPair> m_open;    // by number in m_general
     std::vector<double> m_heldDepth; // the same: overlap of two that stand still in contact; else below 0 [m]
@@ -569,9 +506,6 @@ class SteppedMotion {
     Scratch<PlacedPairs> m_placedPairs;              // to be put in order
     Scratch<PairSort<PlacedPair>> m_sort;
     Scratch<std::vector<std::uint32_t>> m_order, m_added;
-    Derived<SectionPlan> m_plan;
-    Scratch<Slabs> m_slabs;                                  // of an island
-    Scratch<std::vector<std::uint32_t>> m_divided;           // numbers, by island
     Scratch<std::vector<Seen>> m_seen, m_touching, m_sorted; // of a look: all, and those in contact
     Scratch<std::vector<Travel>> m_travel;                   // by number
     Scratch<std::vector<Coming>> m_coming;                   // by number

@@ -88,7 +88,7 @@ void SteppedMotion::foreseeTurned(const SteppedInput& input, double duration, st
     const Vec3 turn = duration * vectorOf(m_bodies[number].spin);
     Vec3 since = vectorOf(m_moved[number].turn) + turn - vectorOf(m_seenTurn[number].turn);
     if (!(since.squaredNorm() > m_turnable[number].most)) return;
-    const Pose& pose = input.state.pose[m_list[number - 1]];
+    const Pose& pose = input.state.pose[m_islands.bodyOf(number)];
     if (m_turnable[number].hasAxis) {
         const Vec3 axis = pose.orientation * Vec3::UnitY();
         since -= axis.dot(since) * axis;
@@ -103,7 +103,7 @@ void SteppedMotion::foreseeTurned(const SteppedInput& input, double duration, st
 
 // Moves a body to where it will be after part of the step.
 void SteppedMotion::moveAhead(const SteppedInput& input, const Foreseen& body, double part) {
-    Pose& pose = input.state.pose[m_list[body.number - 1]];
+    Pose& pose = input.state.pose[m_islands.bodyOf(body.number)];
     Displacement& moved = m_moved[body.number];
     pose.position = body.pose.position + part * body.shift;
     pose.orientation = (fromRotationVector(part * body.turn) * body.pose.orientation).normalized();
@@ -138,7 +138,7 @@ bool SteppedMotion::lookAhead(const SteppedInput& input, double duration, Manifo
             any = true;
         }
     for (const Foreseen& body : m_foreseen) {
-        input.state.pose[m_list[body.number - 1]] = body.pose;
+        input.state.pose[m_islands.bodyOf(body.number)] = body.pose;
         m_moved[body.number] = body.moved;
     }
     if (m_rows.groups().size() > groups) m_rows.end(m_bodies);
@@ -190,15 +190,15 @@ bool SteppedMotion::moveToNearest(const SteppedInput& input, const ManifoldInput
     const Foreseen* moved = turning[1] != nullptr ? turning[1] : turning[0];
     if (moved == nullptr) return true;
     const Vec3 shift = (moved == turning[1] ? overlap : -overlap) * normal;
-    input.state.pose[m_list[moved->number - 1]].position += shift;
+    input.state.pose[m_islands.bodyOf(moved->number)].position += shift;
     add(m_moved[moved->number].shift, shift);
     return true;
 }
 
 /// How fast the surface of a body comes nearer to others at most because it turns [m/s].
 double SteppedMotion::surfaceSpeed(const Bodies& bodies, std::uint32_t number) const {
-    if (number == immobile || isSphere(bodies, m_list[number - 1])) return 0;
-    return bodies.boundingRadius[m_list[number - 1]] * vectorOf(m_bodies[number].spin).norm();
+    if (number == immobile || isSphere(bodies, m_islands.bodyOf(number))) return 0;
+    return bodies.boundingRadius[m_islands.bodyOf(number)] * vectorOf(m_bodies[number].spin).norm();
 }
 
 // Finds the contact of a pair with rows anew, which keeps its forces unless it is added to them. False if the

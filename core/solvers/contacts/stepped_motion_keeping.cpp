@@ -28,7 +28,7 @@ namespace carom {
 void SteppedMotion::keepRows(const SteppedInput& input, const Manifolds& manifolds) {
     for (const std::uint32_t i : m_moving.paired) {
         Since& since = m_since[i];
-        const double size = input.bodies.boundingRadius[m_list[i - 1]];
+        const double size = input.bodies.boundingRadius[m_islands.bodyOf(i)];
         since.shift += vectorOf(m_moved[i].shift);
         since.turned = (vectorOf(m_moved[i].turn) - vectorOf(m_seenTurn[i].turn)).norm();
         since.moved = since.shift.norm();
@@ -43,7 +43,7 @@ void SteppedMotion::keepRows(const SteppedInput& input, const Manifolds& manifol
     };
     m_rowState.assign(m_entries.size(), Rows::None);
     m_rowOf.resize(m_entries.size());
-    m_rowCounts.assign(m_groups.size(), {});
+    m_rowCounts.assign(m_islands.islandNumbers(), {});
     const std::span<const RowGroup> groups = m_rows.groups().first(m_rows.carriedGroups());
     for (std::uint32_t group = 0; group < groups.size(); ++group)
         for (std::uint32_t lane = 0; lane < wideLanes; ++lane) {
@@ -53,7 +53,7 @@ void SteppedMotion::keepRows(const SteppedInput& input, const Manifolds& manifol
             const bool isKept = (m_isFar[a] | m_isFar[b]) == 0 && keeps(m_since[a], m_since[b], entry);
             m_rowState[entry] = isKept ? Rows::Kept : Rows::Old;
             m_rowOf[entry] = {group, lane};
-            RowCount& count = m_rowCounts[m_island[a != immobile ? a : b]];
+            RowCount& count = m_rowCounts[m_islands.byNumber()[a != immobile ? a : b]];
             ++(isKept ? count.kept : count.old);
         }
     dropRows();
@@ -63,7 +63,7 @@ void SteppedMotion::keepRows(const SteppedInput& input, const Manifolds& manifol
 // Removes the rows of islands that do not keep them: the contacts of their bodies are to be found anew.
 void SteppedMotion::dropRows() {
     for (const std::uint32_t i : m_moving.awake)
-        if (!m_rowCounts[m_island[i]].keeps()) m_isFar[i] = 1;
+        if (!m_rowCounts[m_islands.byNumber()[i]].keeps()) m_isFar[i] = 1;
     if (std::ranges::none_of(m_rowCounts, &RowCount::keeps)) {
         m_rowState.assign(m_entries.size(), Rows::None);
         m_rows.begin(m_bodies.size(), immobile);
@@ -85,9 +85,9 @@ void SteppedMotion::lookAgain(const SteppedInput& input, double duration, Manifo
                               SteppedReport& report) {
     findMoving();
     noteTravel(input, duration);
-    m_rowCounts.assign(m_groups.size(), {.kept = 1});
+    m_rowCounts.assign(m_islands.islandNumbers(), {.kept = 1});
     for (const std::uint32_t i : std::span<const std::uint32_t>(m_struckStill))
-        m_rowCounts[m_island[i]] = {.old = 1};
+        m_rowCounts[m_islands.byNumber()[i]] = {.old = 1};
     dropRows();
     forgetMoved();
     std::erase_if(m_watched, [this](const Watched& pair) { return rowCountOf(pair.entry).drops(); });

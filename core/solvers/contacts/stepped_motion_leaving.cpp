@@ -58,68 +58,44 @@ void SteppedMotion::end(const SteppedInput& input, Manifolds& manifolds, std::ve
 
 void SteppedMotion::leave(const SteppedInput& input, Manifolds& manifolds, NewNumbers& numbers,
                           std::vector<BodyIndex>& bodies, std::vector<Entry>& entries) {
-    if (!m_isMarked) return;
-    settle();
-    const auto goes = [this](BodyPair pair) { return m_groups[m_island[numberOf(pair)]].leaves; };
+    if (!m_islands.anyMarked()) return;
+    m_islands.settle();
+    const auto goes = [this](BodyPair pair) { return m_islands.isMarked(pair); };
     storeBalls(input, goes, manifolds);
     for (const Entry& entry : m_entries)
         if (entry.place != Manifolds::none && goes(entry.pair)) entries.push_back(entry);
-    for (std::size_t i = 1; i < m_island.size(); ++i)
-        if (m_groups[m_island[i]].leaves) bodies.push_back(m_list[i - 1]);
+    std::ranges::copy_if(m_islands.bodies(), std::back_inserter(bodies),
+                         [this](BodyIndex body) { return m_islands.isMarked(body); });
     keepUnmarked(input.bodies, numbers);
 }
 
 // Removes the bodies of marked islands. The others get new numbers; nothing else of theirs changes.
 void SteppedMotion::keepUnmarked(const Bodies& bodies, NewNumbers& numbers) {
-    const auto stays = [this](BodyIndex body) { return !m_groups[m_island[m_local[body]]].leaves; };
-    const auto isHere = [this](BodyIndex body) { return body != noBody && m_local[body] != immobile; };
     numbers.entries.assign(m_entries.size(), 0);
     for (std::size_t i = 0; i < m_entries.size(); ++i)
-        if (const BodyPair pair = m_entries[i].pair; !stays(isHere(pair.a) ? pair.a : pair.b))
-            numbers.entries[i] = gone;
+        if (m_islands.isMarked(m_entries[i].pair)) numbers.entries[i] = gone;
     renumberEntries(numbers.entries);
     m_open.assign(m_general.size(), {}); // numbers change: they are looked at anew
     m_heldDepth.assign(m_general.size(), -1);
     std::erase_if(m_links, [&](std::uint32_t link) {
         const SpringForce& spring = bodies.springs[link];
-        return !stays(isHere(spring.from) ? spring.from : spring.to);
+        return m_islands.isMarked(m_islands.numberAt(spring.from) != immobile ? spring.from : spring.to);
     });
+    m_islands.leave(numbers.bodies, numbers.islands);
 
-    std::uint32_t kept = 0;
-    numbers.islands.assign(m_groups.size(), gone);
-    for (std::uint32_t i = 0; i < m_groups.size(); ++i) {
-        if (m_groups[i].joined != i || m_groups[i].leaves) continue;
-        m_groups[kept] = m_groups[i];
-        m_groups[kept].joined = kept;
-        numbers.islands[i] = kept++;
-    }
-    m_groups.resize(kept);
-    m_joined = 0;
-    m_isMarked = false;
-
-    kept = 1;
     m_isAfterKnown = m_weight.isKnown = false;
     forgetPairs();
-    m_plan.forget();
     m_rows.begin(m_bodies.size(), immobile);
-    numbers.bodies.assign(m_bodies.size(), gone);
-    numbers.bodies[immobile] = immobile;
     for (std::uint32_t i = 1; i < m_bodies.size(); ++i) {
-        const BodyIndex body = m_list[i - 1];
-        const std::uint32_t island = numbers.islands[m_island[i]];
-        m_local[body] = island == gone ? immobile : kept;
-        if (island == gone) continue;
-        m_list[kept - 1] = body;
+        const std::uint32_t kept = numbers.bodies[i];
+        if (kept == gone) continue;
         m_bodies[kept] = m_bodies[i];
         m_places[kept] = m_places[i];
         m_turnable[kept] = m_turnable[i];
         m_turning.renumber(i, kept);
         m_still.renumber(i, kept);
-        m_island[kept] = island;
-        m_slab[kept] = m_slab[i];
-        numbers.bodies[i] = kept++;
     }
-    m_list.resize(kept - 1);
+    const std::size_t kept = m_islands.numbers();
     m_bodies.resize(kept);
     m_moved.resize(kept);
     m_places.resize(kept);
@@ -128,8 +104,6 @@ void SteppedMotion::keepUnmarked(const Bodies& bodies, NewNumbers& numbers) {
     m_still.resize(kept);
     m_still.noteAll();
     m_areStillNoted = !m_still.any();
-    m_island.resize(kept);
-    m_slab.resize(kept);
     m_free.resize(kept);
     m_struck.resize(kept);
     m_balls.keep(numbers.entries, numbers.bodies, immobile);

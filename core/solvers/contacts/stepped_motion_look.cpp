@@ -55,8 +55,9 @@ void SteppedMotion::forgetPairs() {
 
 const PairEnds& SteppedMotion::ends() {
     if (!m_ends.isKnown())
-        m_ends.make(m_general.size(), m_bodies.size(),
-                    [this](std::size_t number) { return numbersOf(m_entries[m_general[number]].pair); });
+        m_ends.make(m_general.size(), m_bodies.size(), [this](std::size_t number) {
+            return m_islands.numbersOf(m_entries[m_general[number]].pair);
+        });
     return m_ends;
 }
 
@@ -92,7 +93,7 @@ void SteppedMotion::findMoving() {
             continue;
         }
         m_moving.awake.push_back(i);
-        m_moving.bodies.push_back(m_list[i - 1]);
+        m_moving.bodies.push_back(m_islands.bodyOf(i));
         if (m_isPaired[i] != 0) m_moving.paired.push_back(i);
     }
     m_travel.assign(m_bodies.size(), {});
@@ -229,9 +230,8 @@ CAROM_INLINE std::uint32_t SteppedMotion::frameOf(BodyIndex body, std::uint32_t 
 // Makes rows of the pairs in contact, section by section: in the place of those that they had, or in one that
 // depends on the pairs before. What they are does not.
 void SteppedMotion::addRows(const ManifoldInput& here, Manifolds& manifolds, Workers& workers) {
-    if (!m_plan.isMade()) m_plan.make(m_island, m_slab, m_groups.size());
-    std::span<const SectionEnd> sections =
-        m_plan.sort(m_touching, m_sorted, [](const Seen& seen) { return std::pair(seen.a, seen.b); });
+    std::span<const SectionEnd> sections = m_islands.plan().sort(
+        m_touching, m_sorted, [](const Seen& seen) { return std::pair(seen.a, seen.b); });
     if (!m_rows.groups().empty()) sections = {}; // they are after those that are kept
     m_placed.clear();
     m_framed.clear();
@@ -252,7 +252,7 @@ void SteppedMotion::addRows(const ManifoldInput& here, Manifolds& manifolds, Wor
                                 frameOf(b, seen.b, !seen.isRound), seen.near, isAgain});
         },
         [this](std::size_t phase) { m_rows.endSection(phase); });
-    for (const Framed& framed : m_framed) m_frameOf[m_local[framed.body]] = BallRows::noPair;
+    for (const Framed& framed : m_framed) m_frameOf[m_islands.numberOf(framed.body)] = BallRows::noPair;
     m_frames.resize(m_framed.size());
     workers.forRanges(m_framed.size(), fewFrames, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) m_frames[i] = frameOf(here, m_framed[i]);
@@ -290,8 +290,8 @@ PairInput SteppedMotion::inputOf(const Bodies& bodies, std::uint32_t entry) {
         const ContactPair of = pairOf(bodies, pair, 0);
         laws = {of.friction, of.restitution, of.rolling, mostCorrection * of.size / m_substep, of.size};
     }
-    return {.a = m_local[pair.a],
-            .b = m_local[pair.b],
+    return {.a = m_islands.numberOf(pair.a),
+            .b = m_islands.numberOf(pair.b),
             .friction = laws.friction,
             .restitution = laws.restitution,
             .rolling = laws.rolling,
@@ -303,7 +303,7 @@ PairInput SteppedMotion::inputOf(const Bodies& bodies, std::uint32_t entry) {
 PlacedManifold SteppedMotion::placedAtLook(const ManifoldInput& here,
                                            const PersistentManifold& manifold) const {
     PlacedManifold contact = placed(here, manifold);
-    const auto [a, b] = numbersOf(manifold.pair);
+    const auto [a, b] = m_islands.numbersOf(manifold.pair);
     const Displacement &from = m_moved[a], &to = m_moved[b];
     for (PointInput& point : contact.points)
         point.separation -= contact.normal.dot(vectorOf(to.shift) + vectorOf(to.turn).cross(point.armB) -
@@ -344,7 +344,7 @@ void SteppedMotion::setRow(const ManifoldInput& here, const Placed& placed, Mani
 
 void SteppedMotion::noteTravel(const SteppedInput& input, double duration) {
     forEachOf(m_moving.paired, input.workers, [&](std::uint32_t i) {
-        const BodyIndex body = m_list[i - 1];
+        const BodyIndex body = m_islands.bodyOf(i);
         const SolverBody& from = m_bodies[i];
         const double radius = from.roundInverse > 0 ? 0 : input.bodies.boundingRadius[body];
         m_travel[i] = {
@@ -362,8 +362,8 @@ SteppedMotion::OpenPair SteppedMotion::openPairOf(const Bodies& bodies, std::uin
     };
     return {.watched = {.entry = entry,
                         .open = number,
-                        .a = m_local[a],
-                        .b = m_local[b],
+                        .a = m_islands.numberOf(a),
+                        .b = m_islands.numberOf(b),
                         .radiusA = turning(a),
                         .radiusB = turning(b)},
             .slack = slackPart * smallerSize(bodies, m_entries[entry].pair)};

@@ -24,36 +24,10 @@ constexpr std::size_t fewPlaced = Workers::enoughOf(50);
 // Passes solve for pairs in the order of their bodies' numbers, from the top to the ground, not in that in
 // which they were added: a heap whose lowest contacts are solved first does not come to rest.
 void SteppedMotion::order(const SteppedInput& input) {
-    const bool isUnordered = std::exchange(m_isUnordered, false) &&
-                             std::any_of(m_groups.begin(), m_groups.end(), std::mem_fn(&Group::isUnordered));
-    if (isUnordered) divide(input);
+    const bool isUnordered = m_islands.divide(input.bodies, input.state, input.gravity);
+    for (const std::uint32_t i : m_islands.divided()) noteFar(i); // rows follow suit
     if (m_ascending < m_general.size()) orderGeneral();
     if (isUnordered) orderBalls(input);
-}
-
-// Divides the islands that are not in order into slabs.
-void SteppedMotion::divide(const SteppedInput& input) {
-    m_plan.forget();
-    m_divided.clear();
-    for (std::uint32_t i = 1; i < m_island.size(); ++i)
-        if (m_groups[m_island[i]].isUnordered()) m_divided.push_back(i);
-    for (const std::uint32_t i : std::span<const std::uint32_t>(m_divided)) noteFar(i); // rows follow suit
-    const auto isBefore = [this](std::uint32_t one, std::uint32_t other) {
-        return m_island[one] < m_island[other];
-    };
-    if (!std::is_sorted(m_divided.begin(), m_divided.end(), isBefore))
-        std::stable_sort(m_divided.begin(), m_divided.end(), isBefore);
-    for (auto from = m_divided.begin(); from != m_divided.end();) {
-        const std::uint32_t island = m_island[*from];
-        const auto to =
-            std::find_if(from, m_divided.end(), [&](std::uint32_t i) { return m_island[i] != island; });
-        m_slabs.clear();
-        for (auto i = from; i != to; ++i) {
-            const BodyIndex body = m_list[*i - 1];
-            m_slabs.add(input.state.pose[body].position, input.bodies.boundingRadius[body]);
-        }
-        for (const std::uint8_t slab : m_slabs.divide(input.gravity)) m_slab[*from++] = slab;
-    }
 }
 
 // Inserts the pairs that were added among those that are in order.
@@ -125,7 +99,7 @@ void SteppedMotion::orderBalls(const SteppedInput& input) {
         [&](std::size_t begin, std::size_t end, PlacedPairs& part) {
             m_balls.forEachPlace(begin, end, [&](std::uint32_t index, std::uint32_t place) {
                 Entry& entry = m_entries[index];
-                if (m_groups[m_island[numberOf(entry.pair)]].isUnordered()) {
+                if (m_islands.isUnordered(entry.pair)) {
                     entry.isNear = isNear(input, entry.pair);
                     entry.isLate = false;
                 }
@@ -136,13 +110,11 @@ void SteppedMotion::orderBalls(const SteppedInput& input) {
             });
         },
         [this](const PlacedPairs& part) { m_placedPairs.append(part); });
-    for (Group& group : m_groups)
-        if (group.isUnordered()) group.unordered = 0;
+    m_islands.noteOrdered();
     for (std::vector<PlacedPair>* list : {&near, &far}) m_sort.sort(*list, input.bodies.count());
     near.insert(near.end(), far.begin(), far.end());
-    if (!m_plan.isMade()) m_plan.make(m_island, m_slab, m_groups.size());
-    const std::span<const SectionEnd> sections =
-        m_plan.sort(near, far, [this](const PlacedPair& placed) { return numbersOf(placed.pair); });
+    const std::span<const SectionEnd> sections = m_islands.plan().sort(
+        near, far, [this](const PlacedPair& placed) { return m_islands.numbersOf(placed.pair); });
     m_order.clear();
     for (const std::vector<PlacedPair>* list : {&near, &late})
         for (const PlacedPair& placed : *list) m_order.push_back(placed.place);
@@ -155,25 +127,6 @@ bool SteppedMotion::isNear(const SteppedInput& input, BodyPair pair) {
         return boundingGap(input.bodies, input.state, pair) <= nearPart * std::max(a, b);
     const double distance = (input.state.pose[pair.b].position - input.state.pose[pair.a].position).norm();
     return distance - (a + b) <= nearPart * std::min(a, b);
-}
-
-void SteppedMotion::joinIslands(std::uint32_t one, std::uint32_t other) {
-    if (one == other) return;
-    Group &into = m_groups[one], &from = m_groups[other];
-    from.joined = one;
-    into.bodies += from.bodies;
-    into.leaves = into.leaves || from.leaves;
-    into.hasStill = into.hasStill || from.hasStill;
-    into.unordered = into.bodies; // it is to be divided anew
-    m_isUnordered = true;
-    ++m_joined;
-    m_isSettled = false;
-}
-
-void SteppedMotion::settle() {
-    if (std::exchange(m_isSettled, true)) return;
-    m_plan.forget();
-    for (std::size_t i = 1; i < m_island.size(); ++i) m_island[i] = rootOf(m_island[i]);
 }
 
 } // namespace carom

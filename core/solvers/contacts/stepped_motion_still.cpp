@@ -47,7 +47,7 @@ CAROM_WIDE std::pair<std::size_t, double> sumOfHeld(std::span<const double> dept
 } // namespace
 
 void SteppedMotion::setMass(const SteppedInput& input, std::uint32_t number) {
-    const BodyIndex body = m_list[number - 1];
+    const BodyIndex body = m_islands.bodyOf(number);
     SolverBody& to = m_bodies[number];
     const bool isStill = m_still.is(number);
     to.inverseMass = isStill ? 0 : input.bodies.inverseMass[body];
@@ -59,21 +59,20 @@ void SteppedMotion::setMass(const SteppedInput& input, std::uint32_t number) {
 void SteppedMotion::findSlowest(const SteppedInput& input, std::vector<double>& slowest) {
     if (m_links.empty()) return;
     std::vector<double>&mass = m_islandMass, &times = m_islandTime;
-    mass.assign(m_groups.size(), 0);
-    times.assign(m_groups.size(), 0);
-    for (std::size_t i = 1; i < m_island.size(); ++i)
-        mass[rootOf(m_island[i])] += input.bodies.mass[m_list[i - 1]];
+    mass.assign(m_islands.islandNumbers(), 0);
+    times.assign(m_islands.islandNumbers(), 0);
+    for (const BodyIndex body : m_islands.bodies()) mass[m_islands.of(body)] += input.bodies.mass[body];
     const auto forEachEnd = [&](const auto& visit) {
         for (const std::uint32_t& link : m_links)
             for (const BodyIndex end : {input.bodies.springs[link].from, input.bodies.springs[link].to})
-                if (end != noBody && m_local[end] != immobile) visit(link, end);
+                if (m_islands.numberAt(end) != immobile) visit(link, end);
     };
     forEachEnd([&](const std::uint32_t& link, BodyIndex end) {
-        double& time = times[islandOf(end)];
-        time = std::max(time, slowestTime(input.bodies, input.state, std::span(&link, 1), mass[islandOf(end)],
-                                          input.gravity));
+        double& time = times[m_islands.of(end)];
+        time = std::max(time, slowestTime(input.bodies, input.state, std::span(&link, 1),
+                                          mass[m_islands.of(end)], input.gravity));
     });
-    forEachEnd([&](std::uint32_t, BodyIndex end) { slowest[end] = times[islandOf(end)]; });
+    forEachEnd([&](std::uint32_t, BodyIndex end) { slowest[end] = times[m_islands.of(end)]; });
 }
 
 // Stops the candidates on which the forces balance: they stand still from now on.
@@ -88,7 +87,7 @@ void SteppedMotion::holdStill(const SteppedInput& input, const Manifolds& manifo
             m_still.set(i, false);
             continue;
         }
-        m_stopped.push_back(m_list[i - 1]);
+        m_stopped.push_back(m_islands.bodyOf(i));
         setMass(input, i);
         m_bodies[i].velocity = m_bodies[i].spin = {};
     }
@@ -98,7 +97,7 @@ void SteppedMotion::holdStill(const SteppedInput& input, const Manifolds& manifo
 }
 
 bool SteppedMotion::isUnbalanced(const SteppedInput& input, std::uint32_t number, double part) const {
-    const BodyIndex body = m_list[number - 1];
+    const BodyIndex body = m_islands.bodyOf(number);
     return m_still.isUnbalanced(number, input.bodies.mass[body] * input.gravity.norm(),
                                 input.bodies.boundingRadius[body], part);
 }
@@ -113,9 +112,7 @@ void SteppedMotion::holdPairs() {
     m_balls.hold(m_still.flags(), m_still.changed(), m_bodies);
     m_still.forgetChanges();
     m_areStillNoted = true;
-    for (Group& group : m_groups) group.hasStill = false;
-    for (std::uint32_t i = 1; i < m_bodies.size(); ++i)
-        if (m_still.is(i)) m_groups[m_island[i]].hasStill = true;
+    m_islands.noteStill(m_still.flags());
 }
 
 // Adds up the loads by gravity and by the present forces of all contacts, of bodies that have changed or
@@ -127,7 +124,7 @@ void SteppedMotion::addUpLoads(const SteppedInput& input, const Manifolds& manif
         if (!m_still.isTouched(i)) continue;
         for (const std::uint32_t number : ends().pairsOf(i)) m_loadPairs.add(number);
         m_still.clearLoads(i);
-        if (m_still.is(i)) m_still.lasting(i).force = input.bodies.mass[m_list[i - 1]] * input.gravity;
+        if (m_still.is(i)) m_still.lasting(i).force = input.bodies.mass[m_islands.bodyOf(i)] * input.gravity;
     }
     m_loadPairs.forEach([&](std::uint32_t number) { addUpLoads(input, number, manifolds); });
     std::tie(m_heldContacts, m_heldDeepest) = sumOfHeld(m_heldDepth);
@@ -145,7 +142,7 @@ void SteppedMotion::addUpLoads(const SteppedInput& input, const Manifolds& manif
 void SteppedMotion::addUpSpringLoads(const SteppedInput& input) {
     for (const std::uint32_t link : m_links) {
         const SpringForce& spring = input.bodies.springs[link];
-        const std::uint32_t a = numberAt(spring.from), b = numberAt(spring.to);
+        const std::uint32_t a = m_islands.numberAt(spring.from), b = m_islands.numberAt(spring.to);
         if (!addsLoad(a) && !addsLoad(b)) continue;
         const Vec3 force = forceOf(spring, input.state);
         const auto armOf = [&](BodyIndex body, const Vec3& point) -> Vec3 {
@@ -175,7 +172,7 @@ void SteppedMotion::touchBesideChanged(const SteppedInput& input, const Manifold
     });
     for (const std::uint32_t link : m_links) {
         const SpringForce& spring = input.bodies.springs[link];
-        const std::uint32_t a = numberAt(spring.from), b = numberAt(spring.to);
+        const std::uint32_t a = m_islands.numberAt(spring.from), b = m_islands.numberAt(spring.to);
         if (changed[a] == 0 && changed[b] == 0) continue;
         m_still.touch(a);
         m_still.touch(b);
@@ -253,8 +250,8 @@ bool SteppedMotion::wakeUnbalanced(const SteppedInput& input, double part) {
 void SteppedMotion::findPulling(const Bodies& bodies) {
     m_pulling.clear();
     for (const std::uint32_t link : m_links)
-        if (!m_still.is(numberAt(bodies.springs[link].from)) ||
-            !m_still.is(numberAt(bodies.springs[link].to)))
+        if (!m_still.is(m_islands.numberAt(bodies.springs[link].from)) ||
+            !m_still.is(m_islands.numberAt(bodies.springs[link].to)))
             m_pulling.push_back(link);
 }
 
@@ -287,7 +284,7 @@ void SteppedMotion::moveOn(const SteppedInput& input, std::uint32_t number) {
     m_moving.isKnown = false;
     m_still.set(number, false);
     setMass(input, number);
-    m_movedOn.push_back(m_list[number - 1]);
+    m_movedOn.push_back(m_islands.bodyOf(number));
     noteFar(number); // its rows are those of an immobile body
 }
 
@@ -326,7 +323,7 @@ bool SteppedMotion::wakeStruck(const SteppedInput& input, const Manifolds& manif
     for (const std::uint32_t i : std::span<const std::uint32_t>(m_struckStill)) {
         m_given[i] = 0;
         moveOn(input, i);
-        m_woken.push_back(m_list[i - 1]);
+        m_woken.push_back(m_islands.bodyOf(i));
     }
     if (input.ledger != nullptr)
         m_atBegin.potential += invariantsOf(input.bodies, m_woken, input.state, input.gravity).potential;
@@ -339,8 +336,9 @@ bool SteppedMotion::wakeStruck(const SteppedInput& input, const Manifolds& manif
 void SteppedMotion::strikeStill(const SteppedInput& input, std::uint32_t from, std::uint32_t to,
                                 double closing, double restitution) {
     if (to == immobile || from == immobile) return;
-    const double mass = input.bodies.mass[m_list[from - 1]], other = input.bodies.mass[m_list[to - 1]];
-    const double size = input.bodies.boundingRadius[m_list[to - 1]];
+    const double mass = input.bodies.mass[m_islands.bodyOf(from)],
+                 other = input.bodies.mass[m_islands.bodyOf(to)];
+    const double size = input.bodies.boundingRadius[m_islands.bodyOf(to)];
     const double speed = (1 + restitution) * closing * mass / (mass + other);
     if (!(speed > StillBodies::struckSpeed * std::sqrt(size * input.gravity.norm()))) return;
     if (m_given[to] == 0) m_struckStill.push_back(to);
@@ -358,7 +356,7 @@ void SteppedMotion::passOnStrikes(const SteppedInput& input, const Manifolds& ma
         known = m_struckStill.size();
         for (const std::uint32_t entry : m_general) {
             const auto [first, second] = m_entries[entry].pair;
-            const std::uint32_t a = m_local[first], b = m_local[second];
+            const std::uint32_t a = m_islands.numberOf(first), b = m_islands.numberOf(second);
             if (!m_still.is(a) || !m_still.is(b)) continue;
             if ((m_given[a] > 0) == (m_given[b] > 0)) continue;
             const PersistentManifold& manifold = manifolds[m_entries[entry].place];
@@ -374,7 +372,7 @@ void SteppedMotion::passOnStrikes(const SteppedInput& input, const Manifolds& ma
 
 // Loads may depend on this pair, which is new.
 void SteppedMotion::noteChanged(BodyPair pair) {
-    const std::uint32_t a = m_local[pair.a], b = m_local[pair.b];
+    const std::uint32_t a = m_islands.numberOf(pair.a), b = m_islands.numberOf(pair.b);
     if (!m_still.rests(a) && !m_still.rests(b)) return;
     m_still.note(a);
     m_still.note(b);
@@ -395,7 +393,7 @@ void SteppedMotion::recordMotion(const SteppedInput& input, double duration) {
     m_isAfterKnown = true;
     const Vec3 change = duration * input.gravity;
     if (!m_weight.isKnown || m_weight.change != change)
-        static_cast<Weight&>(m_weight) = {weightOf(input.bodies, m_list, change), change, true};
+        static_cast<Weight&>(m_weight) = {weightOf(input.bodies, m_islands.bodies(), change), change, true};
     recordDifference(m_atBegin, m_after, m_weight.sum, LedgerAccount::Contact, *input.ledger);
 }
 
