@@ -57,14 +57,14 @@ void SteppedIslands::settle() {
     for (std::size_t i = 1; i < m_island.size(); ++i) m_island[i] = rootOf(m_island[i]);
 }
 
-void SteppedIslands::leave(std::vector<std::uint32_t>& bodies, std::vector<std::uint32_t>& islands) {
+void SteppedIslands::leave(std::vector<std::uint32_t>& bodies) {
     std::uint32_t kept = 0;
-    islands.assign(m_groups.size(), gone);
+    m_newIslands.assign(m_groups.size(), gone);
     for (std::uint32_t i = 0; i < m_groups.size(); ++i) {
         if (m_groups[i].joined != i || m_groups[i].leaves) continue;
         m_groups[kept] = m_groups[i];
         m_groups[kept].joined = kept;
-        islands[i] = kept++;
+        m_newIslands[i] = kept++;
     }
     m_groups.resize(kept);
     m_joined = 0;
@@ -76,7 +76,7 @@ void SteppedIslands::leave(std::vector<std::uint32_t>& bodies, std::vector<std::
     bodies[immobile] = immobile;
     for (std::uint32_t i = 1; i < m_island.size(); ++i) {
         const BodyIndex body = bodyOf(i);
-        const std::uint32_t island = islands[m_island[i]];
+        const std::uint32_t island = m_newIslands[m_island[i]];
         m_local[body] = island == gone ? immobile : kept;
         if (island == gone) continue;
         m_list[kept - 1] = body;

@@ -85,8 +85,8 @@ class SteppedIslands {
         for (std::uint32_t island = 0; island < m_groups.size(); ++island)
             if (m_isChosen[island] != 0) mark(island);
     }
-    /// Removes marked islands. Gives the new numbers of bodies and islands by the old ones.
-    void leave(std::vector<std::uint32_t>& bodies, std::vector<std::uint32_t>& islands);
+    /// Removes marked islands. Gives the new numbers of bodies by the old ones.
+    void leave(std::vector<std::uint32_t>& bodies);
 
     /// Whether some of its bodies stand still.
     bool hasStill(std::uint32_t island) const { return m_groups[rootOf(island)].hasStill; }
@@ -137,7 +137,8 @@ class SteppedIslands {
     bool m_isSettled = true;          // m_island names islands
     bool m_isMarked = false;          // any of them
     bool m_isUnordered = false;       // pairs of some island came or went
-    Scratch<std::vector<std::uint8_t>> m_isChosen; // by island
+    Scratch<std::vector<std::uint8_t>> m_isChosen;    // by island
+    Scratch<std::vector<std::uint32_t>> m_newIslands; // by the old ones
     Derived<SectionPlan> m_plan;
     Scratch<Slabs> m_slabs;                        // of an island
     Scratch<std::vector<std::uint32_t>> m_divided; // numbers, by island

@@ -32,11 +32,6 @@ constexpr int mostStrikes = 4;
 /// (core/dynamics/numbering.h). Why from the top: the head comment of velocity_solve.h.
 constexpr bool fromTop = true;
 
-/// Effective masses are computed anew where turning may have changed a body's response to an impulse by this
-/// part. A pass diverges where they are too large by 2 (it is then a relaxation by more than 2); at half,
-/// they are computed anew twice as often.
-constexpr double mostChange = 0.25;
-
 /// Contacts of balls may be stiffer, because balls do not rock on faces (velocity_solve.h).
 StepSettings forBalls(StepSettings settings) {
     settings.hardness *= 0.54 / StepSettings{}.hardness;
@@ -67,17 +62,11 @@ void SteppedMotion::begin(const Bodies& bodies, const Division& division, double
     m_step = substep / (division.looks * division.steps);
     clear();
     m_islands.begin(bodies.count());
-    m_bodies.assign(1, {});
-    m_moved.assign(1, {});
-    m_places.assign(1, {});
-    m_turnable.assign(1, {});
-    m_turning.begin();
+    m_bodies.begin();
     m_still.begin();
     m_areStillNoted = true;
     m_heldContacts = 0;
     m_heldDeepest = 0;
-    m_free.assign(1, {});
-    m_struck.assign(1, 0);
     m_links.clear();
     m_entries.clear();
     m_isFlipped.clear();
@@ -88,9 +77,8 @@ void SteppedMotion::begin(const Bodies& bodies, const Division& division, double
     m_ascending = 0;
     m_isOrderedSoon = false;
     m_balls.clear();
-    m_forced.clear();
     forgetPairs();
-    m_rows.begin(m_bodies.size(), immobile);
+    m_rows.begin(m_islands.numbers(), immobile);
 }
 
 void SteppedMotion::addIsland(const SteppedInput& input, std::span<const BodyIndex> list,
@@ -99,18 +87,9 @@ void SteppedMotion::addIsland(const SteppedInput& input, std::span<const BodyInd
     forgetPairs();
     m_islands.add(list);
     for (const BodyIndex body : list) {
-        SolverBody& to = m_bodies.emplace_back();
-        to.velocity = arrayOf(input.state.velocity[body]);
-        to.spin = arrayOf(input.state.angularVelocity[body]);
+        m_bodies.add(input, body);
         m_still.add();
-        setMass(input, m_islands.numberOf(body));
-        m_moved.emplace_back();
-        m_places.push_back({arrayOf(input.state.pose[body].position)});
-        const Shape& shape = input.bodies.shape[body];
-        m_turnable.push_back(turnableOf(shape, input.bodies.boundingRadius[body]));
-        m_turning.add(input.bodies, body, input.state);
-        m_free.emplace_back();
-        m_struck.push_back(0);
+        m_bodies.setMass(input, body, m_islands.numberOf(body), false);
     }
     m_links.insert(m_links.end(), springs.begin(), springs.end());
 }
@@ -164,7 +143,7 @@ void SteppedMotion::addBall(const SteppedInput& input, std::uint32_t entry, cons
     }
     if (from.place != Manifolds::none && manifolds[from.place].count > 0)
         pair.impulse = (isFlipped ? -m_step : m_step) * manifolds[from.place].points[0].force;
-    m_balls.add(pair, entry, immobile, m_bodies);
+    m_balls.add(pair, entry, immobile, m_bodies.solved());
 }
 
 SteppedReport SteppedMotion::advance(const SteppedInput& input, Manifolds& manifolds, double part) {
@@ -175,8 +154,8 @@ SteppedReport SteppedMotion::advance(const SteppedInput& input, Manifolds& manif
     SteppedReport report;
     if (input.ledger != nullptr) rememberBefore(input);
     m_step = part * m_substep / (m_division.looks * m_division.steps);
-    if (input.isFirst) m_rows.begin(m_bodies.size(), immobile); // a checkpoint has none
-    for (Turnable& turnable : m_turnable) turnable.most = turnable.elsewhere;
+    if (input.isFirst) m_rows.begin(m_islands.numbers(), immobile); // a checkpoint has none
+    for (Turnable& turnable : m_bodies.turnable()) turnable.most = turnable.elsewhere;
     for (int k = 0; k < m_division.looks; ++k) {
         look(input, m_step * m_division.steps, manifolds, report);
         for (int i = 0; i < m_division.steps; ++i) {
@@ -184,7 +163,7 @@ SteppedReport SteppedMotion::advance(const SteppedInput& input, Manifolds& manif
             step(input, m_step, manifolds, report);
             if (report.loss) return report;
         }
-        turnBalls(input);
+        if (m_links.empty()) m_bodies.turnBalls(input, m_islands);
         storeForces(manifolds, input.workers);
         sampleLoads();
     }
@@ -197,8 +176,8 @@ SteppedReport SteppedMotion::advance(const SteppedInput& input, Manifolds& manif
 // Predicts how far each body moves until the end of the step, from its pose at the look, and whether it was
 // struck.
 void SteppedMotion::foreseeStruck(double duration, Workers& workers) {
-    workers.forRanges(m_moving.paired.size(), fewAwake, [&](std::size_t begin, std::size_t end) {
-        foreseeStruck(duration, std::span(m_moving.paired).subspan(begin, end - begin));
+    workers.forRanges(m_bodies.moving().paired.size(), fewAwake, [&](std::size_t begin, std::size_t end) {
+        foreseeStruck(duration, std::span(m_bodies.moving().paired).subspan(begin, end - begin));
     });
 }
 
@@ -207,8 +186,8 @@ CAROM_WIDE void SteppedMotion::foreseeStruck(double duration, std::span<const st
     for (std::size_t k = 0; k < numbers.size(); k += wideLanes) {
         const std::array<std::uint32_t, 4> four = fourOf(numbers, k);
         Motion body;
-        gatherVelocity(m_bodies.data(), four, body);
-        const Moved moved = gather(m_moved.data(), four);
+        gatherVelocity(m_bodies.solved().data(), four, body);
+        const Moved moved = gather(m_bodies.moved().data(), four);
         const Wide3 shift = moved.shift + time * body.velocity;
         const Wide turn = body.roundInverse > zero ? zero
                                                    : rootOf(dot(moved.turn, moved.turn)) +
@@ -218,7 +197,7 @@ CAROM_WIDE void SteppedMotion::foreseeStruck(double duration, std::span<const st
         for (std::size_t lane = 0; lane < wideLanes; ++lane) {
             const std::uint32_t i = four[lane];
             storeWide(m_coming[i].shift.data(), to[lane]); // and the turn
-            m_coming[i].isStruck = m_struck[i] != 0 || m_bodies[i].velocity != m_free[i].velocity;
+            m_coming[i].isStruck = m_bodies.isStruck(i);
         }
     }
 }
@@ -241,7 +220,8 @@ CAROM_WIDE std::size_t SteppedMotion::nextStruck(std::size_t number, std::size_t
 // Makes rows for contacts of bodies that were struck. True if there were any.
 bool SteppedMotion::addStruck(const SteppedInput& input, double duration, Manifolds& manifolds,
                               SteppedReport& report) {
-    bool any = m_balls.findStruck(m_bodies, m_places, m_moved, duration, input.gravity, input.workers);
+    bool any = m_balls.findStruck(m_bodies.solved(), m_bodies.places(), m_bodies.moved(), duration,
+                                  input.gravity, input.workers);
     bool anyRow = false;
     if (!m_watched.empty()) foreseeStruck(duration, input.workers);
     m_struckPairs.clear();
@@ -254,7 +234,7 @@ bool SteppedMotion::addStruck(const SteppedInput& input, double duration, Manifo
     for (const std::size_t i : std::span<const std::size_t>(m_struckPairs)) {
         Watched& pair = m_watched[i];
         PersistentManifold& manifold = manifolds[m_entries[pair.entry].place];
-        const SolverBody &bodyA = m_bodies[pair.a], &bodyB = m_bodies[pair.b];
+        const SolverBody &bodyA = m_bodies.solved()[pair.a], &bodyB = m_bodies.solved()[pair.b];
         if (pair.a != immobile) input.state.velocity[manifold.pair.a] = vectorOf(bodyA.velocity);
         if (pair.b != immobile) input.state.velocity[manifold.pair.b] = vectorOf(bodyB.velocity);
         const ManifoldInput here{input.bodies, input.state, input.gravity, duration};
@@ -264,14 +244,14 @@ bool SteppedMotion::addStruck(const SteppedInput& input, double duration, Manifo
         ++report.work.pairsCollided;
         if (!closeManifold(here, duration * speed, manifold)) continue;
         const PlacedManifold contact = placedAtLook(here, manifold);
-        m_rows.add(rowOf(input.bodies, pair.entry, contact), pair.entry, m_bodies);
+        m_rows.add(rowOf(input.bodies, pair.entry, contact), pair.entry, m_bodies.solved());
         m_open[pair.open].watched.gap = 0;
         pair.entry = ContactRows::noPair;
         anyRow = true;
     }
     if (anyRow) {
-        m_rows.end(m_bodies);
-        updateGaps(m_rows, m_moved, input.workers);
+        m_rows.end(m_bodies.solved());
+        updateGaps(m_rows, m_bodies.moved(), input.workers);
     }
     return any || anyRow;
 }
@@ -279,10 +259,10 @@ bool SteppedMotion::addStruck(const SteppedInput& input, double duration, Manifo
 // Passes with position feedback.
 void SteppedMotion::sweep(const StepSettings& settings, Workers& workers, SteppedReport& report) {
     for (int pass = 0; pass < m_division.passes; ++pass) {
-        solveSprings(m_springs, m_bodies);
-        m_balls.solve(m_bodies, m_moved, forBalls(settings), fromTop, workers);
-        solveVelocities(m_rows, m_bodies, settings, fromTop, workers);
-        resistRolling(m_rows, m_bodies);
+        solveSprings(m_springs, m_bodies.solved());
+        m_balls.solve(m_bodies.solved(), m_bodies.moved(), forBalls(settings), fromTop, workers);
+        solveVelocities(m_rows, m_bodies.solved(), settings, fromTop, workers);
+        resistRolling(m_rows, m_bodies.solved());
     }
     report.work.rowsSwept += static_cast<std::size_t>(m_division.passes) * points();
 }
@@ -298,23 +278,19 @@ void SteppedMotion::step(const SteppedInput& input, double duration, Manifolds& 
                                 .resting = 2 * fall.norm(),
                                 .yield = mostSag / mostCorrection * m_substep,
                                 .fall = fall.norm()};
-    const bool ballsBounce = m_balls.recordApproach(m_bodies, settings, input.workers);
-    const bool bounces = recordApproach(m_rows, m_bodies, settings, input.workers) || ballsBounce;
-    forAwake(input.workers, [&](std::uint32_t i) {
-        add(m_bodies[i].velocity, fall);
-        m_free[i] = {.velocity = m_bodies[i].velocity, .spin = m_bodies[i].spin};
-    });
-    if (!input.bodies.forces.empty()) applyTerms(input, duration);
+    const bool ballsBounce = m_balls.recordApproach(m_bodies.solved(), settings, input.workers);
+    const bool bounces = recordApproach(m_rows, m_bodies.solved(), settings, input.workers) || ballsBounce;
+    m_bodies.beginStep(input, m_islands, duration);
     findPulling(input.bodies);
-    prepareSprings(input.bodies, input.state, m_pulling, m_islands.local(), immobile, duration, m_bodies,
-                   m_springs);
+    prepareSprings(input.bodies, input.state, m_pulling, m_islands.local(), immobile, duration,
+                   m_bodies.solved(), m_springs);
     if (!m_pulling.empty()) rememberSprings(input);
     if (bounces) {
         findParts();
-        m_energy.remember(m_bodies, movingParts(), parts(), input.workers);
+        m_energy.remember(m_bodies.solved(), movingParts(), parts(), input.workers);
     }
-    m_balls.warmStart(m_bodies, input.workers);
-    warmStart(m_rows, m_bodies, input.workers);
+    m_balls.warmStart(m_bodies.solved(), input.workers);
+    warmStart(m_rows, m_bodies.solved(), input.workers);
     sweep(settings, input.workers, report);
     for (int round = 0; round < mostRounds; ++round) {
         const bool isStruck = addStruck(input, duration, manifolds, report);
@@ -323,20 +299,23 @@ void SteppedMotion::step(const SteppedInput& input, double duration, Manifolds& 
     }
     limitEnergy(settings, input.workers, true);
     if (!m_pulling.empty()) limitSprings(input, settings, report);
-    if (const std::uint32_t lost = firstNotFinite(m_bodies, m_moving.awake); lost != immobile) {
-        const bool isVelocity = !vectorOf(m_bodies[lost].velocity).allFinite();
+    if (const std::uint32_t lost = firstNotFinite(m_bodies.solved(), m_bodies.moving().awake);
+        lost != immobile) {
+        const bool isVelocity = !vectorOf(m_bodies.solved()[lost].velocity).allFinite();
         report.loss = {m_islands.bodyOf(lost), isVelocity ? "velocity" : "angular velocity"};
         return;
     }
-    move(input, duration);
-    updateGaps(m_rows, m_moved, input.workers);
+    if (m_bodies.move(input, m_islands, duration, !m_links.empty()))
+        m_rows.renewMasses(m_bodies.solved(), m_bodies.hasTurned());
+    updateGaps(m_rows, m_bodies.moved(), input.workers);
     report.work.rowsSwept += points(); // the warm start
     for (int pass = 0; pass < m_division.passes; ++pass) {
-        solveSprings(m_springs, m_bodies);
-        const double ofBalls = m_balls.relax(m_bodies, m_moved, settings, fromTop, input.workers);
+        solveSprings(m_springs, m_bodies.solved());
+        const double ofBalls =
+            m_balls.relax(m_bodies.solved(), m_bodies.moved(), settings, fromTop, input.workers);
         report.residual =
-            std::max(ofBalls, relaxVelocities(m_rows, m_bodies, settings, fromTop, input.workers));
-        resistRolling(m_rows, m_bodies);
+            std::max(ofBalls, relaxVelocities(m_rows, m_bodies.solved(), settings, fromTop, input.workers));
+        resistRolling(m_rows, m_bodies.solved());
         report.work.rowsSwept += points();
         if (report.residual <= input.tolerance) break;
     }
@@ -344,12 +323,8 @@ void SteppedMotion::step(const SteppedInput& input, double duration, Manifolds& 
     removeAdded(false);
     if (bounces) rebound(settings, input.workers, report);
     removeAdded(true);
-    if (!m_pulling.empty()) m_springLimit.keep(springIslands(input), 0, m_bodies);
-    forAwake(input.workers, [&](std::uint32_t i) {
-        input.state.velocity[m_islands.bodyOf(i)] = vectorOf(m_bodies[i].velocity);
-        input.state.angularVelocity[m_islands.bodyOf(i)] = vectorOf(m_bodies[i].spin);
-    });
-    if (input.ledger != nullptr && !m_forced.isEmpty()) recordTerms(input);
+    if (!m_pulling.empty()) m_springLimit.keep(springIslands(input), 0, m_bodies.solved());
+    m_bodies.store(input, m_islands);
 }
 
 // Takes bodies back towards the velocities that they would have without contacts, as far as these have given
@@ -360,16 +335,17 @@ void SteppedMotion::limitEnergy(const StepSettings& settings, Workers& workers, 
     findParts();
     if (!mayGainEnergy(settings, workers)) return;
     const std::span<const std::uint32_t> part = partOf();
-    m_stepEnergy.remember(m_bodies, m_free, movingParts(), parts(), workers);
-    for (const std::uint32_t i : m_moving.awake)
-        m_stepEnergy.allow(part[i], 0.5 * settings.resting * settings.resting / m_bodies[i].inverseMass);
+    m_stepEnergy.remember(m_bodies.solved(), m_bodies.free(), movingParts(), parts(), workers);
+    for (const std::uint32_t i : m_bodies.moving().awake)
+        m_stepEnergy.allow(part[i],
+                           0.5 * settings.resting * settings.resting / m_bodies.solved()[i].inverseMass);
     for (const SpringRow& spring : m_springs) // m_springLimit is theirs
         m_stepEnergy.allow(part[movingEnd(spring, m_still)], std::numeric_limits<double>::infinity());
     if (corrects) {
         findCorrection(settings);
         for (std::size_t i = 1; i < m_corrected.size(); ++i) m_stepEnergy.allow(part[i], m_corrected[i]);
     }
-    if (!m_stepEnergy.keep(m_free, movingParts(), m_bodies, workers)) return;
+    if (!m_stepEnergy.keep(m_bodies.free(), movingParts(), m_bodies.solved(), workers)) return;
     const auto partLeft = [&](std::uint32_t a, std::uint32_t b) {
         return m_stepEnergy.partOf(part[a == immobile || m_still.is(a) ? b : a]);
     };
@@ -379,55 +355,31 @@ void SteppedMotion::limitEnergy(const StepSettings& settings, Workers& workers, 
 
 // Whether contacts may have given some island that much energy: as if all bodies were balls.
 bool SteppedMotion::mayGainEnergy(const StepSettings& settings, Workers& workers) {
-    const std::span<const std::uint32_t> awake = m_moving.awake, part = partOf();
-    findGains(m_bodies, m_free, awake, settings.resting * settings.resting, m_gains, workers);
+    const std::span<const std::uint32_t> awake = m_bodies.moving().awake, part = partOf();
+    findGains(m_bodies.solved(), m_bodies.free(), awake, settings.resting * settings.resting, m_gains,
+              workers);
     m_gained.resize(parts());
     for (const std::uint32_t i : awake) m_gained[part[i]] = 0;
     for (std::size_t k = 0; k < awake.size(); ++k) m_gained[part[awake[k]]] += m_gains[k];
     return std::any_of(awake.begin(), awake.end(), [&](std::uint32_t i) { return m_gained[part[i]] > 0; });
 }
 
-// Applies force terms as if only they and gravity acted: as an impulse before those of the contacts.
-void SteppedMotion::applyTerms(const SteppedInput& input, double duration) {
-    m_forced.clear();
-    for (const std::uint32_t i : m_moving.awake)
-        if (input.bodies.forces.actOn(m_islands.bodyOf(i)))
-            m_forced.add(i, input.bodies, input.state, m_islands.bodyOf(i), duration);
-    m_forced.solve(input.bodies.forces, input.gravity, duration);
-    m_halfWays.assign(m_bodies.size(), 0.5 * duration * duration * input.gravity);
-    for (const ForcedSteps::Step& step : m_forced.steps()) {
-        m_bodies[step.owner].velocity = m_free[step.owner].velocity = arrayOf(step.after);
-        m_halfWays[step.owner] = 0.5 * duration * (step.after - step.before);
-    }
-}
-
-// Records the work of force terms, and takes it from the contacts' account, which holds the whole change.
-void SteppedMotion::recordTerms(const SteppedInput& input) {
-    for (ForcedSteps::Step& step : m_forced.steps()) {
-        step.given = m_forced.impulseOf(step);
-        step.after = vectorOf(m_bodies[step.owner].velocity);
-    }
-    const LedgerEntry given = m_forced.record(input.bodies.forces, *input.ledger);
-    LedgerEntry& contact = (*input.ledger)[LedgerAccount::Contact];
-    contact.energy -= given.energy;
-    contact.momentum -= given.momentum;
-}
-
 void SteppedMotion::rebound(const StepSettings& settings, Workers& workers, SteppedReport& report) {
-    m_active.assign(m_bodies.size(), 0);
+    m_active.assign(m_islands.numbers(), 0);
     const ActiveBodies active{m_active, immobile};
     const int impacts = m_balls.activate(active) + activate(m_rows, active);
     if (impacts == 0) return;
     report.work.impacts += static_cast<std::uint64_t>(impacts);
     for (const SpringRow& spring : m_springs)
-        m_energy.allow(partOf()[movingEnd(spring, m_still)], workOf(spring, m_bodies));
-    copyVelocities(m_bodies, m_moving.awake, m_before);
-    const int passes = m_balls.rebound(m_bodies, m_moved, settings, mostStrikes, active, workers);
+        m_energy.allow(partOf()[movingEnd(spring, m_still)], workOf(spring, m_bodies.solved()));
+    copyVelocities(m_bodies.solved(), m_bodies.moving().awake, m_before);
+    const int passes =
+        m_balls.rebound(m_bodies.solved(), m_bodies.moved(), settings, mostStrikes, active, workers);
     report.work.rowsSwept +=
         wideLanes * (static_cast<std::size_t>(passes) * m_balls.activeGroups() +
                      static_cast<std::size_t>(m_division.passes) * m_rows.points().size());
-    carom::rebound(m_rows, m_bodies, settings, m_division.passes, active, workers);
-    m_energy.keep(m_before, movingParts(), m_bodies, workers);
+    carom::rebound(m_rows, m_bodies.solved(), settings, m_division.passes, active, workers);
+    m_energy.keep(m_before, movingParts(), m_bodies.solved(), workers);
 }
 
 SpringIslands SteppedMotion::springIslands(const SteppedInput& input) const {
@@ -437,7 +389,7 @@ SpringIslands SteppedMotion::springIslands(const SteppedInput& input) const {
 
 // Stores the energy that islands with springs may have when the step ends.
 void SteppedMotion::rememberSprings(const SteppedInput& input) {
-    m_springLimit.remember(springIslands(input), m_bodies);
+    m_springLimit.remember(springIslands(input), m_bodies.solved());
     for (const Entry& entry : m_entries)
         if (const auto [a, b] = m_islands.numbersOf(entry.pair); a == immobile || b == immobile)
             m_springLimit.hold(m_islands.of(entry.pair));
@@ -447,9 +399,9 @@ void SteppedMotion::rememberSprings(const SteppedInput& input) {
 
 // What position correction may add to the energy of each body.
 void SteppedMotion::findCorrection(const StepSettings& settings) {
-    m_corrected.assign(m_bodies.size(), 0);
+    m_corrected.assign(m_islands.numbers(), 0);
     addCorrection(m_rows, settings, m_corrected);
-    m_balls.addCorrection(m_moved, forBalls(settings), m_corrected);
+    m_balls.addCorrection(m_bodies.moved(), forBalls(settings), m_corrected);
 }
 
 // Solves on while islands with springs have more energy than there is, and slows them down to what it allows,
@@ -460,77 +412,10 @@ void SteppedMotion::limitSprings(const SteppedInput& input, const StepSettings& 
     findCorrection(settings);
     m_springLimit.allow(islands, m_corrected);
     for (int more = 0;
-         more < mostSpringSweeps && m_springLimit.isExceeded(islands, settings.duration, m_bodies); ++more)
+         more < mostSpringSweeps && m_springLimit.isExceeded(islands, settings.duration, m_bodies.solved());
+         ++more)
         sweep(settings, input.workers, report);
-    m_springLimit.keep(islands, settings.duration, m_bodies);
-}
-
-// Moves bodies, and notes how far they turn: those without any impulse by the mean of the velocities at both
-// ends, the others by the velocity at the end.
-CAROM_WIDE void SteppedMotion::shift(const SteppedInput& input, double duration,
-                                     std::span<const std::uint32_t> numbers) {
-    const Vec3 half = 0.5 * duration * duration * input.gravity;
-    for (const std::uint32_t i : numbers) {
-        const SolverBody& from = m_bodies[i];
-        Displacement& moved = m_moved[i];
-        Vec3 shift = duration * vectorOf(from.velocity);
-        if (from.velocity == m_free[i].velocity)
-            shift -= m_forced.isEmpty() ? half : m_halfWays[i];
-        else
-            m_struck[i] = 1;
-        Vec3& position = input.state.pose[m_islands.bodyOf(i)].position;
-        position += shift;
-        m_places[i].position = arrayOf(position);
-        add(moved.shift, shift);
-        const Vec3 spin = vectorOf(from.spin);
-        add(moved.turn, duration * spin);
-        moved.angle += duration * spin.norm();
-    }
-}
-
-void SteppedMotion::move(const SteppedInput& input, double duration) {
-    const std::span<const std::uint32_t> awake = m_moving.awake;
-    input.workers.forRanges(awake.size(), fewAwake, [&](std::size_t begin, std::size_t end) {
-        shift(input, duration, awake.subspan(begin, end - begin));
-    });
-    m_turns.clear();
-    for (const std::uint32_t i : awake)
-        if (vectorOf(m_bodies[i].spin) != Vec3::Zero() && !turnsLater(m_bodies[i])) m_turns.push_back(i);
-    m_turning.turn(m_turns, duration, m_bodies, input.workers);
-    input.workers.forRanges(m_turns.size(), fewAwake, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t k = begin; k < end; ++k) {
-            const std::uint32_t i = m_turns[k];
-            input.state.pose[m_islands.bodyOf(i)].orientation = m_turning.orientationOf(i);
-            input.state.angularMomentum[m_islands.bodyOf(i)] = m_turning.momentumOf(i);
-        }
-    });
-    renewMasses();
-}
-
-// A body that turns by φ changes its response to an impulse, along any direction, by at most φ (I₁/I₃ − 1) of
-// it, with I₁ and I₃ its largest and least moment of inertia.
-void SteppedMotion::renewMasses() {
-    bool any = false;
-    for (const std::uint32_t i : std::span<const std::uint32_t>(m_turns)) {
-        Displacement& moved = m_moved[i];
-        if (!((moved.angle - moved.renewed) * m_turning.unevennessOf(i) > mostChange)) continue;
-        if (!any) m_hasTurned.assign(m_bodies.size(), 0);
-        any = true;
-        m_hasTurned[i] = 1;
-        moved.renewed = moved.angle;
-    }
-    if (any) m_rows.renewMasses(m_bodies, m_hasTurned);
-}
-
-// Turns balls at once by their whole rotation since the look: their contacts need no orientation.
-void SteppedMotion::turnBalls(const SteppedInput& input) {
-    forAwake(input.workers, [&](std::uint32_t i) {
-        const Vec3 turn = vectorOf(m_moved[i].turn);
-        if (!turnsLater(m_bodies[i]) || turn == Vec3::Zero()) return;
-        Quat& orientation = input.state.pose[m_islands.bodyOf(i)].orientation;
-        orientation = (fromRotationVector(turn) * orientation).normalized();
-        m_turning.setOrientation(i, orientation);
-    });
+    m_springLimit.keep(islands, settings.duration, m_bodies.solved());
 }
 
 void SteppedMotion::storeForces(Manifolds& manifolds, Workers& workers) const {
@@ -549,22 +434,9 @@ void SteppedMotion::storeForces(Manifolds& manifolds, Workers& workers) const {
     }
 }
 
-bool SteppedMotion::isUnchanged(const State& state) const {
-    for (std::size_t i = 1; i < m_bodies.size(); ++i) {
-        const BodyIndex body = m_islands.bodyOf(i);
-        if (vectorOf(m_bodies[i].velocity) != state.velocity[body] ||
-            vectorOf(m_bodies[i].spin) != state.angularVelocity[body] ||
-            vectorOf(m_places[i].position) != state.pose[body].position ||
-            m_turning.orientationOf(i).coeffs() != state.pose[body].orientation.coeffs())
-            return false;
-    }
-    return true;
-}
-
 std::size_t SteppedMotion::bytes() const {
-    return heldBytes(m_islands, m_bodies, m_moved, m_places, m_turnable, m_free, m_struck, m_links, m_entries,
-                     m_isFlipped, m_general, m_open, m_heldDepth, m_balls, m_still) +
-           m_turning.bytes();
+    return heldBytes(m_islands, m_bodies, m_still, m_links, m_entries, m_isFlipped, m_general, m_open,
+                     m_heldDepth, m_balls);
 }
 
 void SteppedMotion::clear() {

@@ -15,6 +15,8 @@
 #include "core/solvers/contacts/pair_sort.h"
 #include "core/solvers/contacts/spring_limit.h"
 #include "core/solvers/contacts/spring_rows.h"
+#include "core/solvers/contacts/stepped_bodies.h"
+#include "core/solvers/contacts/stepped_input.h"
 #include "core/solvers/contacts/stepped_islands.h"
 #include "core/solvers/contacts/still_bodies.h"
 #include "core/solvers/contacts/turning_bodies.h"
@@ -71,31 +73,6 @@
 // immobile until the forces on them change.
 
 namespace carom {
-
-/// What a substep is divided into.
-struct Division {
-    int looks = 1;  ///< a substep
-    int steps = 2;  ///< a look
-    int passes = 1; ///< of each kind a step
-};
-
-struct SteppedInput {
-    const Bodies& bodies;
-    Vec3 gravity; ///< [m/s²]
-    State& state;
-    Ledger* ledger = nullptr;
-    double tolerance = 0; ///< no further pass where rows are solved to this [m/s]
-    bool isFirst = true;  ///< of a frame: what has come or gone since the last one is put in order
-    Workers& workers = Workers::alone();
-};
-
-struct SteppedReport {
-    double residual = 0;       ///< [m/s], as the last pass found its rows
-    double maxPenetration = 0; ///< [m]
-    std::size_t contacts = 0;  ///< pairs that may touch, at the last look
-    WorkCounters work;
-    Loss loss;
-};
 
 class SteppedMotion {
   public:
@@ -194,7 +171,7 @@ class SteppedMotion {
     void hold(const SteppedInput& input, const Manifolds& manifolds, const Is& is) {
         m_islands.settle();
         m_candidates.clear();
-        for (std::uint32_t i = 1; i < m_bodies.size(); ++i)
+        for (std::uint32_t i = 1; i < m_islands.numbers(); ++i)
             if (!m_still.is(i) && is(m_islands.bodyOf(i))) m_candidates.push_back(i);
         holdStill(input, manifolds);
     }
@@ -206,7 +183,7 @@ class SteppedMotion {
     std::span<const BodyIndex> movedOn() const { return m_movedOn; }
     std::span<Entry> entries() { return m_entries; }
     /// Whether the bodies are where, and as fast as, the last substep left them.
-    bool isUnchanged(const State& state) const;
+    bool isUnchanged(const State& state) const { return m_bodies.isUnchanged(state, m_islands); }
     /// Memory that a copy holds.
     std::size_t bytes() const;
     /// Appends the bodies and the pairs of islands that are marked, with their present manifolds; pairs of
@@ -219,6 +196,7 @@ class SteppedMotion {
     void clear();
 
   private:
+    static constexpr std::size_t fewAwake = SteppedBodies::fewAwake;
     static constexpr std::uint32_t immobile = SteppedIslands::immobile;
     static constexpr std::uint32_t gone = SteppedIslands::gone;
     struct Watched {
@@ -261,11 +239,6 @@ class SteppedMotion {
         std::uint8_t near = 0;                ///< as in Seen
         bool isAgain = false;                 ///< the pair had rows there
     };
-    /// How far a body has moved since its contacts were found.
-    struct Since {
-        Vec3 shift = Vec3::Zero();    ///< of its centre [m]
-        double moved = 0, turned = 0; ///< the size of that [m], and the angle [rad]
-    };
     /// What becomes of the rows that a pair had when a look begins.
     enum class Rows : std::uint8_t { None, Kept, Old };
     /// Of an island: how many of its pairs keep their rows, and how many do not.
@@ -278,15 +251,6 @@ class SteppedMotion {
     struct Framed {
         BodyIndex body = 0;
         bool turns = false; ///< otherwise along the axes of the world
-    };
-    /// What moves: known until bodies or pairs come or go, or other bodies stand still. As long as it is
-    /// known, what is kept by number of the others is 0.
-    struct Moving {
-        std::vector<std::uint32_t> awake;  ///< numbers of those that do not stand still
-        std::vector<BodyIndex> bodies;     ///< these
-        std::vector<std::uint32_t> pairs;  ///< in m_general, of which one moves
-        std::vector<std::uint32_t> paired; ///< numbers of those awake in such pairs
-        bool isKnown = false;
     };
     /// Momentum that gravity gives all bodies in a substep [kg m/s], where it changes velocities by `change`.
     struct Weight {
@@ -330,10 +294,6 @@ class SteppedMotion {
     void storeBalls(const SteppedInput& input, const Goes& goes, Manifolds& manifolds);
     void look(const SteppedInput& input, double duration, Manifolds& manifolds, SteppedReport& report);
     void keepRows(const SteppedInput& input, const Manifolds& manifolds);
-    void noteFar(std::uint32_t number) {
-        m_isFar.resize(m_bodies.size(), 0);
-        m_isFar[number] = 1;
-    }
     void dropRows();
     /// Where the rows are that a pair had when the look began, and that it does not keep.
     LanePacker::Place oldRowsOf(std::uint32_t entry) const {
@@ -360,7 +320,6 @@ class SteppedMotion {
     void rememberBefore(const SteppedInput& input);
     void recordMotion(const SteppedInput& input, double duration);
     void findMoving();
-    void forgetMoved();
     void noteTravel(const SteppedInput& input, double duration);
     double comesAlong(const Vec3& normal, std::uint32_t numberA, std::uint32_t numberB) const;
     bool staysOpen(OpenPair& pair, double fall) const;
@@ -392,28 +351,6 @@ class SteppedMotion {
     SpringIslands springIslands(const SteppedInput& input) const;
     void rememberSprings(const SteppedInput& input);
     void limitSprings(const SteppedInput& input, const StepSettings& settings, SteppedReport& report);
-    void applyTerms(const SteppedInput& input, double duration);
-    void recordTerms(const SteppedInput& input);
-    void move(const SteppedInput& input, double duration);
-    void shift(const SteppedInput& input, double duration, std::span<const std::uint32_t> numbers);
-    /// Bodies that one thread moves at least.
-    static constexpr std::size_t fewAwake = Workers::enoughOf(10);
-    /// Calls work(number) for all bodies of a list.
-    template<class Work>
-    static void forEachOf(std::span<const std::uint32_t> list, Workers& workers, const Work& work) {
-        workers.forRanges(list.size(), fewAwake, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t i = begin; i < end; ++i) work(list[i]);
-        });
-    }
-    /// The same for all that do not stand still.
-    template<class Work>
-    void forAwake(Workers& workers, const Work& work) const {
-        forEachOf(m_moving.awake, workers, work);
-    }
-    void renewMasses();
-    /// A ball without springs: its orientation is not used before the next look.
-    bool turnsLater(const SolverBody& body) const { return body.roundInverse > 0 && m_links.empty(); }
-    void turnBalls(const SteppedInput& input);
     void storeForces(Manifolds& manifolds, Workers& workers) const;
     void findParts();
     std::uint32_t partWith(std::uint32_t number);
@@ -422,9 +359,8 @@ class SteppedMotion {
     std::span<const std::uint32_t> partOf() const {
         return m_still.any() ? std::span<const std::uint32_t>(m_part) : m_islands.byNumber();
     }
-    EnergyLimit::Members movingParts() const { return {m_moving.awake, partOf()}; }
-    std::size_t parts() const { return m_still.any() ? m_bodies.size() : m_islands.islandNumbers(); }
-    void setMass(const SteppedInput& input, std::uint32_t number);
+    EnergyLimit::Members movingParts() const { return {m_bodies.moving().awake, partOf()}; }
+    std::size_t parts() const { return m_still.any() ? m_islands.numbers() : m_islands.islandNumbers(); }
     void holdStill(const SteppedInput& input, const Manifolds& manifolds);
     bool isUnbalanced(const SteppedInput& input, std::uint32_t number, double part) const;
     void noteStill(const SteppedInput& input, const Manifolds& manifolds);
@@ -454,30 +390,21 @@ class SteppedMotion {
     bool m_isAfterKnown = false;      // the same bodies are here since
     Derived<Weight> m_weight;
     SteppedIslands m_islands;
-    // By number; 0 cannot move.
-    std::vector<SolverBody> m_bodies;
-    std::vector<Displacement> m_moved;
-    std::vector<BodyPlace> m_places;
-    std::vector<Turnable> m_turnable;
-    TurningBodies m_turning;
+    SteppedBodies m_bodies;
     StillBodies m_still;
     bool m_areStillNoted = true;    // by all pairs
     std::size_t m_heldContacts = 0; // between bodies that stand still, or cannot move; balls apart
     double m_heldDeepest = 0;       // overlap of these [m]
     Derived<PairEnds> m_ends;       // of the pairs in m_general
     Scratch<PairSet> m_loadPairs;   // of these: their loads are added up
-    Derived<Moving> m_moving;
     Scratch<std::vector<std::uint32_t>> m_candidates; // numbers
-    Scratch<std::vector<std::uint8_t>> m_isPaired;    // by number: in a pair of which one moves
     Scratch<std::vector<BodyIndex>> m_stopped, m_woken, m_movedOn;
     Scratch<std::vector<std::uint32_t>> m_part; // by number: the least number of its part; its own if still
     bool m_arePartsFound = false;               // since the last look
     Scratch<std::vector<double>> m_given; // by number: speed that a strike may give what stands still [m/s]
     Scratch<std::vector<std::uint32_t>> m_struckStill; // numbers of these
-    std::vector<BodyVelocity> m_free;   // before the step's impulses: as gravity and force terms leave them
-    std::vector<std::uint8_t> m_struck; // by anything since the last look
-    Scratch<std::vector<BodyVelocity>> m_before; // the rebound of an impact
-    Scratch<std::vector<std::uint8_t>> m_active; // by it
+    Scratch<std::vector<BodyVelocity>> m_before;       // the rebound of an impact
+    Scratch<std::vector<std::uint8_t>> m_active;       // by it
 
     std::vector<std::uint32_t> m_links;            // springs
     Scratch<std::vector<std::uint32_t>> m_pulling; // of these, with an end that does not stand still
@@ -509,25 +436,18 @@ class SteppedMotion {
     Scratch<std::vector<Seen>> m_seen, m_touching, m_sorted; // of a look: all, and those in contact
     Scratch<std::vector<Travel>> m_travel;                   // by number
     Scratch<std::vector<Coming>> m_coming;                   // by number
-    Scratch<std::vector<std::uint32_t>> m_turns;             // numbers of those that turn in the step
-    Scratch<std::vector<std::uint8_t>> m_hasTurned; // by number: since the rows had their effective masses
-    Scratch<std::vector<SeenTurn>> m_seenTurn;      // by number
-    Scratch<std::vector<Since>> m_since;            // by number
-    // By number: its contacts must be found anew at the next look.
-    Scratch<std::vector<std::uint8_t>> m_isFar;
-    Scratch<std::vector<LanePacker::Place>> m_rowOf;     // by entry: place of its rows when the look began
-    Scratch<std::vector<Rows>> m_rowState;               // by entry
-    Scratch<std::vector<RowCount>> m_rowCounts;          // by island
-    Scratch<std::vector<std::uint32_t>> m_again;         // pairs to be looked at once more
-    Scratch<std::vector<Foreseen>> m_foreseen;           // ascending
+    Scratch<std::vector<std::uint8_t>> m_hasTurned;  // by number: since the rows had their effective masses
+    Scratch<std::vector<LanePacker::Place>> m_rowOf; // by entry: place of its rows when the look began
+    Scratch<std::vector<Rows>> m_rowState;           // by entry
+    Scratch<std::vector<RowCount>> m_rowCounts;      // by island
+    Scratch<std::vector<std::uint32_t>> m_again;     // pairs to be looked at once more
+    Scratch<std::vector<Foreseen>> m_foreseen;       // ascending
     Scratch<std::vector<LanePacker::Place>> m_addedRows; // for the rest of a step
     Scratch<std::vector<std::uint32_t>> m_changedGroups; // of rows, by looking ahead
     bool m_hasEmptyRows = false;                         // pairs have rows without points
     Scratch<std::vector<double>> m_gained;       // by part: about twice the energy that contacts give [J]
     Scratch<std::vector<double>> m_gains;        // the same by body that does not stand still
     Scratch<EnergyLimit> m_stepEnergy, m_energy; // of the step, and of the rebound
-    Scratch<ForcedSteps> m_forced;         // of the bodies that force terms act on; owners are their numbers
-    Scratch<std::vector<Vec3>> m_halfWays; // by number: what its last velocity adds too much, with terms
 };
 
 } // namespace carom

@@ -67,17 +67,17 @@ void recordLate(ContactRows& rows, const LanePacker::Place& place, std::span<con
 // these are elsewhere. Where a cylinder turns about its axis, its surface stays where it is.
 CAROM_WIDE void SteppedMotion::foreseeTurned(const SteppedInput& input, double duration) {
     m_foreseen.clear();
-    m_hasTurned.assign(m_bodies.size(), 0);
-    const std::span<const std::uint32_t> list = m_moving.paired;
+    m_hasTurned.assign(m_islands.numbers(), 0);
+    const std::span<const std::uint32_t> list = m_bodies.moving().paired;
     const Wide time = wideOf(duration);
     for (std::size_t i = 0; i < list.size(); i += wideLanes) {
         const std::array<std::uint32_t, 4> four = fourOf(list, i);
-        const Wide3 spin = gatherThree<SolverBody>(m_bodies[0].spin.data(), four),
-                    moved = gatherThree<Displacement>(m_moved[0].turn.data(), four),
-                    seen = gatherThree<SeenTurn>(m_seenTurn[0].turn.data(), four);
+        const Wide3 spin = gatherThree<SolverBody>(m_bodies.solved()[0].spin.data(), four),
+                    moved = gatherThree<Displacement>(m_bodies.moved()[0].turn.data(), four),
+                    seen = gatherThree<SeenTurn>(m_bodies.seenTurn()[0].turn.data(), four);
         const Wide3 since = moved + time * spin - seen;
-        const Wide most{m_turnable[four[0]].most, m_turnable[four[1]].most, m_turnable[four[2]].most,
-                        m_turnable[four[3]].most};
+        const Wide most{m_bodies.turnable()[four[0]].most, m_bodies.turnable()[four[1]].most,
+                        m_bodies.turnable()[four[2]].most, m_bodies.turnable()[four[3]].most};
         if (!anyLane(dot(since, since) > most)) continue;
         for (std::size_t lane = i; lane < std::min(i + wideLanes, list.size()); ++lane)
             foreseeTurned(input, duration, list[lane]);
@@ -85,26 +85,26 @@ CAROM_WIDE void SteppedMotion::foreseeTurned(const SteppedInput& input, double d
 }
 
 void SteppedMotion::foreseeTurned(const SteppedInput& input, double duration, std::uint32_t number) {
-    const Vec3 turn = duration * vectorOf(m_bodies[number].spin);
-    Vec3 since = vectorOf(m_moved[number].turn) + turn - vectorOf(m_seenTurn[number].turn);
-    if (!(since.squaredNorm() > m_turnable[number].most)) return;
+    const Vec3 turn = duration * vectorOf(m_bodies.solved()[number].spin);
+    Vec3 since = vectorOf(m_bodies.moved()[number].turn) + turn - vectorOf(m_bodies.seenTurn()[number].turn);
+    if (!(since.squaredNorm() > m_bodies.turnable()[number].most)) return;
     const Pose& pose = input.state.pose[m_islands.bodyOf(number)];
-    if (m_turnable[number].hasAxis) {
+    if (m_bodies.turnable()[number].hasAxis) {
         const Vec3 axis = pose.orientation * Vec3::UnitY();
         since -= axis.dot(since) * axis;
-        if (!(since.squaredNorm() > m_turnable[number].most)) return;
+        if (!(since.squaredNorm() > m_bodies.turnable()[number].most)) return;
     }
     m_hasTurned[number] = 1;
-    noteFar(number);
-    m_foreseen.push_back(
-        {number, pose, m_moved[number], duration * vectorOf(m_bodies[number].velocity), turn});
-    m_seenTurn[number].turn = arrayOf(vectorOf(m_moved[number].turn) + turn);
+    m_bodies.noteFar(number);
+    m_foreseen.push_back({number, pose, m_bodies.moved()[number],
+                          duration * vectorOf(m_bodies.solved()[number].velocity), turn});
+    m_bodies.seenTurn()[number].turn = arrayOf(vectorOf(m_bodies.moved()[number].turn) + turn);
 }
 
 // Moves a body to where it will be after part of the step.
 void SteppedMotion::moveAhead(const SteppedInput& input, const Foreseen& body, double part) {
     Pose& pose = input.state.pose[m_islands.bodyOf(body.number)];
-    Displacement& moved = m_moved[body.number];
+    Displacement& moved = m_bodies.moved()[body.number];
     pose.position = body.pose.position + part * body.shift;
     pose.orientation = (fromRotationVector(part * body.turn) * body.pose.orientation).normalized();
     moved = body.moved;
@@ -139,12 +139,12 @@ bool SteppedMotion::lookAhead(const SteppedInput& input, double duration, Manifo
         }
     for (const Foreseen& body : m_foreseen) {
         input.state.pose[m_islands.bodyOf(body.number)] = body.pose;
-        m_moved[body.number] = body.moved;
+        m_bodies.moved()[body.number] = body.moved;
     }
-    if (m_rows.groups().size() > groups) m_rows.end(m_bodies);
+    if (m_rows.groups().size() > groups) m_rows.end(m_bodies.solved());
     for (std::size_t group = groups; group < m_rows.groups().size(); ++group)
         m_changedGroups.push_back(static_cast<std::uint32_t>(group));
-    updateGaps(m_rows, m_changedGroups, m_moved);
+    updateGaps(m_rows, m_changedGroups, m_bodies.moved());
     return any;
 }
 
@@ -168,7 +168,7 @@ bool SteppedMotion::moveToNearest(const SteppedInput& input, const ManifoldInput
         return gapAlong(there, pair, normal);
     };
     const double start = gapAt(0);
-    const SolverBody &a = m_bodies[numbers[0]], &b = m_bodies[numbers[1]];
+    const SolverBody &a = m_bodies.solved()[numbers[0]], &b = m_bodies.solved()[numbers[1]];
     const double closing = normal.dot(vectorOf(a.velocity) - vectorOf(b.velocity)) +
                            surfaceSpeed(input.bodies, numbers[0]) + surfaceSpeed(input.bodies, numbers[1]);
     if (!canMeetAlong(there, pair, start, closing)) return false;
@@ -191,14 +191,14 @@ bool SteppedMotion::moveToNearest(const SteppedInput& input, const ManifoldInput
     if (moved == nullptr) return true;
     const Vec3 shift = (moved == turning[1] ? overlap : -overlap) * normal;
     input.state.pose[m_islands.bodyOf(moved->number)].position += shift;
-    add(m_moved[moved->number].shift, shift);
+    add(m_bodies.moved()[moved->number].shift, shift);
     return true;
 }
 
 /// How fast the surface of a body comes nearer to others at most because it turns [m/s].
 double SteppedMotion::surfaceSpeed(const Bodies& bodies, std::uint32_t number) const {
     if (number == immobile || isSphere(bodies, m_islands.bodyOf(number))) return 0;
-    return bodies.boundingRadius[m_islands.bodyOf(number)] * vectorOf(m_bodies[number].spin).norm();
+    return bodies.boundingRadius[m_islands.bodyOf(number)] * vectorOf(m_bodies.solved()[number].spin).norm();
 }
 
 // Finds the contact of a pair with rows anew, which keeps its forces unless it is added to them. False if the
@@ -215,7 +215,7 @@ bool SteppedMotion::findAnew(const SteppedInput& input, const ManifoldInput& the
         if (m_rows.points()[of.firstPoint].massNormal[lane] == 0) return false; // they have none already
         PairInput none = inputOf(there.bodies, entry);
         none.normal = normal;
-        m_rows.replace(group, lane, none, m_bodies);
+        m_rows.replace(group, lane, none, m_bodies.solved());
         return false;
     }
     if (adds) {
@@ -225,9 +225,10 @@ bool SteppedMotion::findAnew(const SteppedInput& input, const ManifoldInput& the
         also.torque.setZero(); // the rows that are there have it
         if (!closeManifold(there, m_entries[entry].margin, also)) return false;
         const PlacedManifold contact = placedAtLook(there, also);
-        m_addedRows.push_back(m_rows.add(rowOf(there.bodies, entry, contact), entry, m_bodies));
+        m_addedRows.push_back(m_rows.add(rowOf(there.bodies, entry, contact), entry, m_bodies.solved()));
         if (isStruck)
-            recordLate(m_rows, m_addedRows.back(), m_free, 2 * there.duration * there.gravity.norm());
+            recordLate(m_rows, m_addedRows.back(), m_bodies.free(),
+                       2 * there.duration * there.gravity.norm());
         return true;
     }
     const auto points = [&] {
@@ -243,11 +244,11 @@ bool SteppedMotion::findAnew(const SteppedInput& input, const ManifoldInput& the
     contact.torque *= m_step;
     const PairInput pair = rowOf(there.bodies, entry, contact);
     if (pair.points.size() <= of.points) {
-        m_rows.replace(group, lane, pair, m_bodies);
+        m_rows.replace(group, lane, pair, m_bodies.solved());
         m_rows.carry(group, lane, points());
     } else {
         m_rows.remove({group, lane});
-        m_rows.add(pair, entry, m_bodies);
+        m_rows.add(pair, entry, m_bodies.solved());
     }
     return true;
 }

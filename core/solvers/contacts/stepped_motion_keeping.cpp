@@ -26,16 +26,8 @@ namespace carom {
 // Finds out which rows of the last look are kept: those of pairs whose bodies have moved little since their
 // contacts were found.
 void SteppedMotion::keepRows(const SteppedInput& input, const Manifolds& manifolds) {
-    for (const std::uint32_t i : m_moving.paired) {
-        Since& since = m_since[i];
-        const double size = input.bodies.boundingRadius[m_islands.bodyOf(i)];
-        since.shift += vectorOf(m_moved[i].shift);
-        since.turned = (vectorOf(m_moved[i].turn) - vectorOf(m_seenTurn[i].turn)).norm();
-        since.moved = since.shift.norm();
-        if (since.moved > rowsWithin * size || since.turned > rowsAngle)
-            m_isFar[i] = 1; // none of its pairs keeps its rows
-    }
-    const auto keeps = [&](const Since& a, const Since& b, std::uint32_t entry) {
+    m_bodies.noteMoved(input.bodies, m_islands, rowsWithin, rowsAngle); // of those that are far, none is kept
+    const auto keeps = [&](const MovedSince& a, const MovedSince& b, std::uint32_t entry) {
         const double moved = (a.moved + b.moved) / m_laws[entry].size, turned = a.turned + b.turned;
         if (moved <= PersistentManifold::keptWithin && turned <= PersistentManifold::keptAngle) return true;
         return moved <= rowsWithin && turned <= rowsAngle &&
@@ -50,7 +42,8 @@ void SteppedMotion::keepRows(const SteppedInput& input, const Manifolds& manifol
             const std::uint32_t entry = groups[group].source[lane];
             if (entry == ContactRows::noPair) continue;
             const std::uint32_t a = groups[group].a[lane], b = groups[group].b[lane];
-            const bool isKept = (m_isFar[a] | m_isFar[b]) == 0 && keeps(m_since[a], m_since[b], entry);
+            const bool isKept = !m_bodies.isFar(a) && !m_bodies.isFar(b) &&
+                                keeps(m_bodies.since()[a], m_bodies.since()[b], entry);
             m_rowState[entry] = isKept ? Rows::Kept : Rows::Old;
             m_rowOf[entry] = {group, lane};
             RowCount& count = m_rowCounts[m_islands.byNumber()[a != immobile ? a : b]];
@@ -62,11 +55,11 @@ void SteppedMotion::keepRows(const SteppedInput& input, const Manifolds& manifol
 
 // Removes the rows of islands that do not keep them: the contacts of their bodies are to be found anew.
 void SteppedMotion::dropRows() {
-    for (const std::uint32_t i : m_moving.awake)
-        if (!m_rowCounts[m_islands.byNumber()[i]].keeps()) m_isFar[i] = 1;
+    for (const std::uint32_t i : m_bodies.moving().awake)
+        if (!m_rowCounts[m_islands.byNumber()[i]].keeps()) m_bodies.noteFar(i);
     if (std::ranges::none_of(m_rowCounts, &RowCount::keeps)) {
         m_rowState.assign(m_entries.size(), Rows::None);
-        m_rows.begin(m_bodies.size(), immobile);
+        m_rows.begin(m_islands.numbers(), immobile);
         return;
     }
     if (std::ranges::any_of(m_rowCounts, &RowCount::drops))
@@ -77,7 +70,7 @@ void SteppedMotion::dropRows() {
                 m_rowState[entry] = Rows::None;
                 m_rows.remove({group, lane});
             }
-    m_rows.compact(m_bodies.size());
+    m_rows.compact(m_islands.numbers());
 }
 
 // Finds the contacts anew, at the same poses, of islands with bodies that were struck and move on.
@@ -89,14 +82,14 @@ void SteppedMotion::lookAgain(const SteppedInput& input, double duration, Manifo
     for (const std::uint32_t i : std::span<const std::uint32_t>(m_struckStill))
         m_rowCounts[m_islands.byNumber()[i]] = {.old = 1};
     dropRows();
-    forgetMoved();
+    m_bodies.forgetMoved();
     std::erase_if(m_watched, [this](const Watched& pair) { return rowCountOf(pair.entry).drops(); });
     m_again.clear();
-    for (const std::uint32_t number : m_moving.pairs)
+    for (const std::uint32_t number : m_bodies.moving().pairs)
         if (rowCountOf(m_general[number]).drops()) m_again.push_back(number);
     findContacts(input, duration, m_again, manifolds, report);
     report.contacts = static_cast<std::size_t>(std::ranges::count_if(
-        m_moving.pairs, [this](std::uint32_t number) { return m_open[number].hasPoints; }));
+        m_bodies.moving().pairs, [this](std::uint32_t number) { return m_open[number].hasPoints; }));
 }
 
 } // namespace carom

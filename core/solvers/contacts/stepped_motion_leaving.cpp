@@ -81,31 +81,13 @@ void SteppedMotion::keepUnmarked(const Bodies& bodies, NewNumbers& numbers) {
         const SpringForce& spring = bodies.springs[link];
         return m_islands.isMarked(m_islands.numberAt(spring.from) != immobile ? spring.from : spring.to);
     });
-    m_islands.leave(numbers.bodies, numbers.islands);
-
+    m_islands.leave(numbers.bodies);
     m_isAfterKnown = m_weight.isKnown = false;
     forgetPairs();
-    m_rows.begin(m_bodies.size(), immobile);
-    for (std::uint32_t i = 1; i < m_bodies.size(); ++i) {
-        const std::uint32_t kept = numbers.bodies[i];
-        if (kept == gone) continue;
-        m_bodies[kept] = m_bodies[i];
-        m_places[kept] = m_places[i];
-        m_turnable[kept] = m_turnable[i];
-        m_turning.renumber(i, kept);
-        m_still.renumber(i, kept);
-    }
-    const std::size_t kept = m_islands.numbers();
-    m_bodies.resize(kept);
-    m_moved.resize(kept);
-    m_places.resize(kept);
-    m_turnable.resize(kept);
-    m_turning.resize(kept);
-    m_still.resize(kept);
-    m_still.noteAll();
+    m_rows.begin(m_islands.numbers(), immobile);
+    m_bodies.leave(numbers.bodies, m_islands.numbers());
+    m_still.leave(numbers.bodies, m_islands.numbers());
     m_areStillNoted = !m_still.any();
-    m_free.resize(kept);
-    m_struck.resize(kept);
     m_balls.keep(numbers.entries, numbers.bodies, immobile);
 }
 

@@ -9,6 +9,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <numeric>
 #include <utility>
 
 // Where the contacts of the base path are, and which of its pairs need not be looked at.
@@ -36,10 +37,10 @@ void SteppedMotion::look(const SteppedInput& input, double duration, Manifolds& 
     findMoving();
     noteTravel(input, duration);
     keepRows(input, manifolds);
-    forgetMoved();
+    m_bodies.forgetMoved();
     m_watched.clear();
     report.contacts = 0;
-    findContacts(input, duration, m_moving.pairs, manifolds, report);
+    findContacts(input, duration, m_bodies.moving().pairs, manifolds, report);
     if (wakeStruck(input, manifolds)) lookAgain(input, duration, manifolds, report);
     m_arePartsFound = false;
     report.contacts += wideLanes * m_balls.activeGroups() + m_balls.heldContacts() + m_heldContacts;
@@ -50,81 +51,35 @@ void SteppedMotion::look(const SteppedInput& input, double duration, Manifolds& 
 // Pairs or bodies come or go, or get other numbers.
 void SteppedMotion::forgetPairs() {
     m_ends.forget();
-    m_moving.isKnown = false;
+    m_bodies.forgetMoving();
 }
 
 const PairEnds& SteppedMotion::ends() {
     if (!m_ends.isKnown())
-        m_ends.make(m_general.size(), m_bodies.size(), [this](std::size_t number) {
+        m_ends.make(m_general.size(), m_islands.numbers(), [this](std::size_t number) {
             return m_islands.numbersOf(m_entries[m_general[number]].pair);
         });
     return m_ends;
 }
 
-// Lists the bodies that do not stand still, the pairs with such a body that are not of two balls, and the
-// bodies of these pairs.
 void SteppedMotion::findMoving() {
-    if (std::exchange(m_moving.isKnown, true)) return;
-    const std::span<const std::uint8_t> isStill = m_still.flags();
-    m_isPaired.assign(m_bodies.size(), 0);
-    m_moving.pairs.resize(m_general.size());
-    std::uint8_t* const isPaired = m_isPaired.data();
-    std::uint32_t* const list = m_moving.pairs.data();
-    std::size_t pairs = 0;
-    for (std::uint32_t number = 0; const auto& [a, b] : ends().all()) {
-        const bool moves = (isStill[a] & isStill[b]) == 0;
-        list[pairs] = number++;
-        pairs += moves ? 1 : 0;
-        if (moves) isPaired[a] = isPaired[b] = 1;
-    }
-    m_moving.pairs.resize(pairs);
-    m_moving.awake.clear();
-    m_moving.bodies.clear();
-    m_moving.paired.clear();
-    m_part.resize(m_bodies.size());
-    m_seenTurn.resize(m_bodies.size());
-    m_since.resize(m_bodies.size());
-    m_isFar.resize(m_bodies.size(), 0);
-    for (std::uint32_t i = 1; i < m_bodies.size(); ++i) {
-        m_part[i] = i;
-        if (m_still.is(i)) {
-            m_moved[i] = {};
-            m_since[i] = {};
-            continue;
-        }
-        m_moving.awake.push_back(i);
-        m_moving.bodies.push_back(m_islands.bodyOf(i));
-        if (m_isPaired[i] != 0) m_moving.paired.push_back(i);
-    }
-    m_travel.assign(m_bodies.size(), {});
-    m_coming.assign(m_bodies.size(), {});
-}
-
-// Bodies have not moved since this look.
-void SteppedMotion::forgetMoved() {
-    for (const std::uint32_t i : m_moving.awake) {
-        const bool isFar = m_isFar[i] != 0;
-        if (isFar)
-            m_seenTurn[i] = {};
-        else
-            add(m_seenTurn[i].turn, -vectorOf(m_moved[i].turn));
-        if (isFar) m_since[i] = {};
-        m_moved[i] = {};
-        m_struck[i] = 0;
-    }
-    std::fill(m_isFar.begin(), m_isFar.end(), std::uint8_t{0});
+    if (!m_bodies.findMoving(m_still.flags(), ends(), m_islands)) return;
+    m_part.resize(m_islands.numbers());
+    std::iota(m_part.begin(), m_part.end(), 0U);
+    m_travel.assign(m_islands.numbers(), {});
+    m_coming.assign(m_islands.numbers(), {});
 }
 
 // Finds the contacts of balls, and of these pairs, by number in m_general.
 void SteppedMotion::findContacts(const SteppedInput& input, double duration,
                                  std::span<const std::uint32_t> pairs, Manifolds& manifolds,
                                  SteppedReport& report) {
-    m_balls.refresh(m_bodies, m_places, duration, input.gravity, input.workers);
+    m_balls.refresh(m_bodies.solved(), m_bodies.places(), duration, input.gravity, input.workers);
     m_deepest = std::max(m_deepest, m_balls.deepest());
     m_hasEmptyRows = false;
     m_touching.clear();
     reserveFor(m_general.size(), m_watched);
-    m_frameOf.resize(m_bodies.size(), BallRows::noPair);
+    m_frameOf.resize(m_islands.numbers(), BallRows::noPair);
     m_laws.resize(m_entries.size());
     const ManifoldInput here{input.bodies, input.state, input.gravity, duration};
     updatePairs(here, pairs, manifolds, input.workers, report);
@@ -139,7 +94,7 @@ void SteppedMotion::findContacts(const SteppedInput& input, double duration,
         report.contacts += seen.hasPoints ? 1 : 0;
     }
     addRows(here, manifolds, input.workers);
-    m_deepest = std::max(m_deepest, m_rows.end(m_bodies, m_frames, m_step, input.workers));
+    m_deepest = std::max(m_deepest, m_rows.end(m_bodies.solved(), m_frames, m_step, input.workers));
 }
 
 // How much two bodies may come nearer to each other along a normal from A to B before the next look [m].
@@ -264,9 +219,9 @@ void SteppedMotion::addRows(const ManifoldInput& here, Manifolds& manifolds, Wor
         if (!(m_laws[placed.entry].rolling > 0)) continue;
         const PairInput pair = rowOf(here.bodies, placed, manifolds[m_entries[placed.entry].place]);
         if (placed.isAgain)
-            m_rows.turnRolling(placed.place, pair.normal, m_bodies);
+            m_rows.turnRolling(placed.place, pair.normal, m_bodies.solved());
         else
-            m_rows.addRolling(pair, placed.place, m_bodies);
+            m_rows.addRolling(pair, placed.place, m_bodies.solved());
     }
 }
 
@@ -274,7 +229,8 @@ void SteppedMotion::addRows(const ManifoldInput& here, Manifolds& manifolds, Wor
 // in larger islands that costs more than it gains.
 void SteppedMotion::noteCap(const Seen& seen, const PersistentManifold& manifold) {
     if (manifold.count <= 2) return;
-    for (const std::uint32_t number : {seen.a, seen.b}) m_turnable[number].most = m_turnable[number].onCap;
+    for (const std::uint32_t number : {seen.a, seen.b})
+        m_bodies.turnable()[number].most = m_bodies.turnable()[number].onCap;
 }
 
 BodyFrame SteppedMotion::frameOf(const ManifoldInput& here, const Framed& framed) const {
@@ -304,7 +260,7 @@ PlacedManifold SteppedMotion::placedAtLook(const ManifoldInput& here,
                                            const PersistentManifold& manifold) const {
     PlacedManifold contact = placed(here, manifold);
     const auto [a, b] = m_islands.numbersOf(manifold.pair);
-    const Displacement &from = m_moved[a], &to = m_moved[b];
+    const Displacement &from = m_bodies.moved()[a], &to = m_bodies.moved()[b];
     for (PointInput& point : contact.points)
         point.separation -= contact.normal.dot(vectorOf(to.shift) + vectorOf(to.turn).cross(point.armB) -
                                                vectorOf(from.shift) - vectorOf(from.turn).cross(point.armA));
@@ -343,13 +299,14 @@ void SteppedMotion::setRow(const ManifoldInput& here, const Placed& placed, Mani
 }
 
 void SteppedMotion::noteTravel(const SteppedInput& input, double duration) {
-    forEachOf(m_moving.paired, input.workers, [&](std::uint32_t i) {
+    m_bodies.forEachOf(m_bodies.moving().paired, input.workers, [&](std::uint32_t i) {
         const BodyIndex body = m_islands.bodyOf(i);
-        const SolverBody& from = m_bodies[i];
+        const SolverBody& from = m_bodies.solved()[i];
         const double radius = from.roundInverse > 0 ? 0 : input.bodies.boundingRadius[body];
-        m_travel[i] = {
-            vectorOf(m_moved[i].shift), duration * vectorOf(from.velocity), radius * m_moved[i].angle,
-            duration * radius * vectorOf(from.spin).norm() + input.bodies.forces.reach(body, duration)};
+        m_travel[i] = {vectorOf(m_bodies.moved()[i].shift), duration * vectorOf(from.velocity),
+                       radius * m_bodies.moved()[i].angle,
+                       duration * radius * vectorOf(from.spin).norm() +
+                           input.bodies.forces.reach(body, duration)};
     });
 }
 

@@ -25,7 +25,7 @@ constexpr std::size_t fewPlaced = Workers::enoughOf(50);
 // which they were added: a heap whose lowest contacts are solved first does not come to rest.
 void SteppedMotion::order(const SteppedInput& input) {
     const bool isUnordered = m_islands.divide(input.bodies, input.state, input.gravity);
-    for (const std::uint32_t i : m_islands.divided()) noteFar(i); // rows follow suit
+    for (const std::uint32_t i : m_islands.divided()) m_bodies.noteFar(i); // rows follow suit
     if (m_ascending < m_general.size()) orderGeneral();
     if (isUnordered) orderBalls(input);
 }

@@ -20,11 +20,6 @@
 namespace carom {
 namespace {
 
-void setInverseInertia(const Vec3& principal, const Quat& orientation, SolverBody& body) {
-    const Mat3 turn = isIsotropic(principal) ? Mat3(Mat3::Identity()) : orientation.toRotationMatrix();
-    carom::setInverseInertia(turn * principal.asDiagonal() * turn.transpose(), body);
-}
-
 // How many depths are not below 0, and the largest of these or 0 [m].
 CAROM_WIDE std::pair<std::size_t, double> sumOfHeld(std::span<const double> depths) {
     const Wide zero{}, one = wideOf(1);
@@ -45,16 +40,6 @@ CAROM_WIDE std::pair<std::size_t, double> sumOfHeld(std::span<const double> dept
 }
 
 } // namespace
-
-void SteppedMotion::setMass(const SteppedInput& input, std::uint32_t number) {
-    const BodyIndex body = m_islands.bodyOf(number);
-    SolverBody& to = m_bodies[number];
-    const bool isStill = m_still.is(number);
-    to.inverseMass = isStill ? 0 : input.bodies.inverseMass[body];
-    to.roundInverse = isStill || !isSphere(input.bodies, body) ? 0 : input.bodies.inverseInertia[body].x();
-    const Vec3 principal = isStill ? Vec3(Vec3::Zero()) : input.bodies.inverseInertia[body];
-    setInverseInertia(principal, input.state.pose[body].orientation, to);
-}
 
 void SteppedMotion::findSlowest(const SteppedInput& input, std::vector<double>& slowest) {
     if (m_links.empty()) return;
@@ -78,7 +63,7 @@ void SteppedMotion::findSlowest(const SteppedInput& input, std::vector<double>& 
 // Stops the candidates on which the forces balance: they stand still from now on.
 void SteppedMotion::holdStill(const SteppedInput& input, const Manifolds& manifolds) {
     if (m_candidates.empty()) return;
-    m_moving.isKnown = false;
+    m_bodies.forgetMoving();
     for (const std::uint32_t i : std::span<const std::uint32_t>(m_candidates)) m_still.set(i, true);
     addUpLoads(input, manifolds);
     m_stopped.clear();
@@ -88,8 +73,8 @@ void SteppedMotion::holdStill(const SteppedInput& input, const Manifolds& manifo
             continue;
         }
         m_stopped.push_back(m_islands.bodyOf(i));
-        setMass(input, i);
-        m_bodies[i].velocity = m_bodies[i].spin = {};
+        m_bodies.setMass(input, m_islands.bodyOf(i), i, true);
+        m_bodies.stop(i);
     }
     stop(input.bodies, m_stopped, input.state, input.ledger);
     if (m_stopped.size() < m_candidates.size()) addUpLoads(input, manifolds);
@@ -109,7 +94,7 @@ void SteppedMotion::noteStill(const SteppedInput& input, const Manifolds& manifo
 }
 
 void SteppedMotion::holdPairs() {
-    m_balls.hold(m_still.flags(), m_still.changed(), m_bodies);
+    m_balls.hold(m_still.flags(), m_still.changed(), m_bodies.solved());
     m_still.forgetChanges();
     m_areStillNoted = true;
     m_islands.noteStill(m_still.flags());
@@ -120,7 +105,7 @@ void SteppedMotion::holdPairs() {
 void SteppedMotion::addUpLoads(const SteppedInput& input, const Manifolds& manifolds) {
     touchBesideChanged(input, manifolds);
     m_loadPairs.clear(m_general.size());
-    for (std::uint32_t i = 1; i < m_bodies.size(); ++i) {
+    for (std::uint32_t i = 1; i < m_islands.numbers(); ++i) {
         if (!m_still.isTouched(i)) continue;
         for (const std::uint32_t number : ends().pairsOf(i)) m_loadPairs.add(number);
         m_still.clearLoads(i);
@@ -156,7 +141,7 @@ void SteppedMotion::addUpSpringLoads(const SteppedInput& input) {
 void SteppedMotion::touchBesideChanged(const SteppedInput& input, const Manifolds& manifolds) {
     m_still.beginLoads();
     const std::span<const std::uint8_t> changed = m_still.changed();
-    for (std::uint32_t i = 1; i < m_bodies.size(); ++i) {
+    for (std::uint32_t i = 1; i < m_islands.numbers(); ++i) {
         if (changed[i] == 0) continue;
         for (const std::uint32_t number : ends().pairsOf(i)) {
             const PersistentManifold& manifold = manifolds[m_entries[m_general[number]].place];
@@ -259,14 +244,14 @@ void SteppedMotion::findPulling(const Bodies& bodies) {
 // motion from one contact to another.
 void SteppedMotion::findParts() {
     if (!m_still.any() || std::exchange(m_arePartsFound, true)) return;
-    for (const std::uint32_t i : m_moving.awake) m_part[i] = i;
+    for (const std::uint32_t i : m_bodies.moving().awake) m_part[i] = i;
     for (const RowGroup& group : m_rows.groups())
         for (std::size_t lane = 0; lane < wideLanes; ++lane) joinParts(group.a[lane], group.b[lane]);
     for (const Watched& pair : m_watched) joinParts(pair.a, pair.b);
     for (const SpringRow& spring : static_cast<const std::vector<SpringRow>&>(m_springs))
         joinParts(spring.a, spring.b);
     m_balls.forEachPair([this](std::uint32_t a, std::uint32_t b) { joinParts(a, b); });
-    for (const std::uint32_t i : m_moving.awake) m_part[i] = partWith(i);
+    for (const std::uint32_t i : m_bodies.moving().awake) m_part[i] = partWith(i);
 }
 
 std::uint32_t SteppedMotion::partWith(std::uint32_t number) {
@@ -281,18 +266,18 @@ void SteppedMotion::joinParts(std::uint32_t a, std::uint32_t b) {
 }
 
 void SteppedMotion::moveOn(const SteppedInput& input, std::uint32_t number) {
-    m_moving.isKnown = false;
+    m_bodies.forgetMoving();
     m_still.set(number, false);
-    setMass(input, number);
+    m_bodies.setMass(input, m_islands.bodyOf(number), number, false);
     m_movedOn.push_back(m_islands.bodyOf(number));
-    noteFar(number); // its rows are those of an immobile body
+    m_bodies.noteFar(number); // its rows are those of an immobile body
 }
 
 // Lets bodies that stand still move on if a body strikes them before the next look, and others that these
 // strike in turn. True if there are any.
 bool SteppedMotion::wakeStruck(const SteppedInput& input, const Manifolds& manifolds) {
     if (!m_still.any()) return false;
-    m_given.resize(m_bodies.size(), 0);
+    m_given.resize(m_islands.numbers(), 0);
     m_struckStill.clear();
     const auto strike = [&](std::uint32_t a, std::uint32_t b, double closing, double restitution) {
         if (m_still.is(a) == m_still.is(b)) return;
@@ -306,15 +291,17 @@ bool SteppedMotion::wakeStruck(const SteppedInput& input, const Manifolds& manif
             for (std::uint32_t k = 0; k < group.points; ++k) {
                 const RowPoint& point = m_rows.points()[group.firstPoint + k];
                 if (!(point.massNormal[lane] > 0)) continue;
-                const Vec3 speed = velocityAt(m_bodies[a], laneOf(point.armA, lane)) -
-                                   velocityAt(m_bodies[b], laneOf(point.armB, lane));
+                const Vec3 speed = velocityAt(m_bodies.solved()[a], laneOf(point.armA, lane)) -
+                                   velocityAt(m_bodies.solved()[b], laneOf(point.armB, lane));
                 strike(a, b, normal.dot(speed), group.restitution[lane]);
             }
         }
     m_balls.forEachBeside(m_still.flags(), [&](const BallRows::Contact& contact) {
         if (!contact.isSolved) return;
         const auto [a, b] = std::pair(contact.a, contact.b);
-        strike(a, b, contact.normal.dot(vectorOf(m_bodies[a].velocity) - vectorOf(m_bodies[b].velocity)),
+        strike(a, b,
+               contact.normal.dot(vectorOf(m_bodies.solved()[a].velocity) -
+                                  vectorOf(m_bodies.solved()[b].velocity)),
                contact.restitution);
     });
     if (m_struckStill.empty()) return false;
@@ -381,15 +368,16 @@ void SteppedMotion::noteChanged(BodyPair pair) {
 
 // What stands still keeps all that the ledger knows of it but its weight.
 void SteppedMotion::rememberBefore(const SteppedInput& input) {
-    const bool isKnown = m_isAfterKnown && m_moving.isKnown && !input.isFirst;
+    const bool isKnown = m_isAfterKnown && m_bodies.isMovingKnown() && !input.isFirst;
     m_isAfterKnown = false;
     findMoving();
-    m_atBegin = isKnown ? m_after : invariantsOf(input.bodies, m_moving.bodies, input.state, input.gravity);
+    m_atBegin =
+        isKnown ? m_after : invariantsOf(input.bodies, m_bodies.moving().bodies, input.state, input.gravity);
 }
 
 // Impulses of a sweep are not told apart: all are recorded under Contact.
 void SteppedMotion::recordMotion(const SteppedInput& input, double duration) {
-    m_after = invariantsOf(input.bodies, m_moving.bodies, input.state, input.gravity);
+    m_after = invariantsOf(input.bodies, m_bodies.moving().bodies, input.state, input.gravity);
     m_isAfterKnown = true;
     const Vec3 change = duration * input.gravity;
     if (!m_weight.isKnown || m_weight.change != change)

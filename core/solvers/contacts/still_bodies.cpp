@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/solvers/contacts/still_bodies.h"
 
+#include "core/solvers/contacts/stepped_islands.h"
+
 #include <utility>
 
 namespace carom {
@@ -30,21 +32,22 @@ void StillBodies::add() {
     m_pressed.isKnown = false;
 }
 
-void StillBodies::renumber(std::size_t from, std::size_t to) {
-    m_is[to] = m_is[from];
-    m_isChanged[to] = m_isChanged[from];
-    m_lasting[to] = m_lasting[from];
-    m_passing[to] = m_passing[from];
-}
-
-void StillBodies::resize(std::size_t count) {
-    m_is.resize(count);
-    m_isChanged.resize(count);
-    m_lasting.resize(count);
-    m_passing.resize(count);
+void StillBodies::leave(std::span<const std::uint32_t> newNumbers, std::size_t kept) {
+    for (std::size_t i = 1; i < m_is.size(); ++i) {
+        const std::uint32_t number = newNumbers[i];
+        if (number == SteppedIslands::gone) continue;
+        m_is[number] = m_is[i];
+        m_lasting[number] = m_lasting[i];
+        m_passing[number] = m_passing[i];
+    }
+    m_is.resize(kept);
+    m_isChanged.assign(kept, 1);
+    m_isChanged[0] = 0;
+    m_lasting.resize(kept);
+    m_passing.resize(kept);
     m_pressed.isKnown = false;
     m_count = 0;
-    for (std::size_t i = 1; i < count; ++i) m_count += m_is[i];
+    for (std::size_t i = 1; i < kept; ++i) m_count += m_is[i];
 }
 
 void StillBodies::findPressed() {

@@ -58,8 +58,8 @@ class StillBodies {
     void begin();
     /// Adds the next number, a body that moves.
     void add();
-    void renumber(std::size_t from, std::size_t to);
-    void resize(std::size_t count);
+    /// Removes bodies whose new number is gone (stepped_islands.h); so many numbers are left.
+    void leave(std::span<const std::uint32_t> newNumbers, std::size_t kept);
 
     bool any() const { return m_count > 0; }
     std::size_t count() const { return m_count; }
@@ -75,7 +75,6 @@ class StillBodies {
 
     /// This body, or a pair of it, has changed: loads that depend on it must be added up again.
     void note(std::uint32_t number) { m_isChanged[number] = number != 0 ? 1 : 0; }
-    void noteAll() { std::fill(m_isChanged.begin() + 1, m_isChanged.end(), std::uint8_t{1}); }
     void forgetChanges() { std::fill(m_isChanged.begin(), m_isChanged.end(), std::uint8_t{0}); }
     std::span<const std::uint8_t> changed() const { return m_isChanged; }
 
