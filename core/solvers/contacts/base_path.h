@@ -268,7 +268,7 @@ class BasePath {
     Scratch<Paired> m_paired;
     Scratch<Missing> m_missing;
     Scratch<std::array<std::vector<ContactCount>, divisions>> m_counts; // by block and island, if counted
-    Scratch<SteppedMotion::NewNumbers> m_newNumbers;
+    Scratch<NewNumbers> m_newNumbers;
     Scratch<std::vector<BodyPair>> m_pairs; // of m_entering
     Scratch<Islands> m_islands;
     Scratch<std::vector<std::uint8_t>> m_numbers;                      // by island that enters: its block

@@ -113,7 +113,7 @@ void BasePath::findPairs(const SteppedInput& input, std::span<const BodyIndex> l
                     if (!areWithin(input.bodies, input.state, pair, margin)) continue;
                     (i < k ? paired.up : paired.down)
                         .push_back(
-                            {.pair = pair, .margin = margin, .isNear = SteppedMotion::isNear(input, pair)});
+                            {.pair = pair, .margin = margin, .isNear = SteppedPairs::isNear(input, pair)});
                 }
         },
         [this](const Paired& part) { m_paired.append(part); });
@@ -335,7 +335,7 @@ void BasePath::findMissing(const SteppedInput& input, BodyIndex i, const Neighbo
             missing.parting.insert(missing.parting.end(), {i, k});
         else
             missing.entries.push_back(
-                {.pair = pair, .margin = margin, .isNear = SteppedMotion::isNear(input, pair)});
+                {.pair = pair, .margin = margin, .isNear = SteppedPairs::isNear(input, pair)});
     }
 }
 

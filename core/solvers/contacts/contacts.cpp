@@ -157,7 +157,7 @@ void Contacts::passBriefly(const SolverInput& input, const Island& island) {
                                    .place = m_found.take(index),
                                    .margin = pair.margin,
                                    .isFresh = true,
-                                   .isNear = SteppedMotion::isNear(stepped(input), pair.bodies())});
+                                   .isNear = SteppedPairs::isNear(stepped(input), pair.bodies())});
     }
 }
 

@@ -24,6 +24,12 @@
 
 namespace carom {
 
+/// New numbers of what stays when others leave, by the old ones; a caller keeps the memory.
+struct NewNumbers {
+    std::vector<std::uint32_t> entries, bodies;
+    std::vector<std::uint32_t> going; ///< entries
+};
+
 class SteppedIslands {
   public:
     static constexpr std::uint32_t immobile = 0;

@@ -68,23 +68,16 @@ void SteppedMotion::begin(const Bodies& bodies, const Division& division, double
     m_heldContacts = 0;
     m_heldDeepest = 0;
     m_links.clear();
-    m_entries.clear();
-    m_isFlipped.clear();
-    m_open.clear();
-    m_heldDepth.clear();
-    m_laws.clear();
-    m_general.clear();
-    m_ascending = 0;
+    m_pairs.begin(substep);
     m_isOrderedSoon = false;
-    m_balls.clear();
-    forgetPairs();
     m_rows.begin(m_islands.numbers(), immobile);
 }
 
 void SteppedMotion::addIsland(const SteppedInput& input, std::span<const BodyIndex> list,
                               std::span<const std::uint32_t> springs) {
     m_isAfterKnown = m_weight.isKnown = false;
-    forgetPairs();
+    m_pairs.forgetEnds();
+    m_bodies.forgetMoving();
     m_islands.add(list);
     for (const BodyIndex body : list) {
         m_bodies.add(input, body);
@@ -95,55 +88,9 @@ void SteppedMotion::addIsland(const SteppedInput& input, std::span<const BodyInd
 }
 
 void SteppedMotion::addPair(const SteppedInput& input, const Entry& entry, Manifolds& manifolds) {
-    const auto [a, b] = entry.pair;
-    const std::uint32_t index = static_cast<std::uint32_t>(m_entries.size());
-    m_entries.push_back(entry);
-    m_isFlipped.push_back(0);
     if (m_still.any()) noteChanged(entry.pair);
-    const ContactPair laws = pairOf(input.bodies, entry.pair, 0);
-    const bool sphereA = isSphere(input.bodies, a), sphereB = isSphere(input.bodies, b);
-    const bool areBalls =
-        (sphereA || isWall(input.bodies.shape[a])) && (sphereB || isWall(input.bodies.shape[b]));
-    if (areBalls && laws.rolling == 0) {
-        addBall(input, index, laws, manifolds);
-        return;
-    }
-    if (m_ascending == m_general.size() && (m_general.empty() || m_entries[m_general.back()] < entry))
-        ++m_ascending;
-    forgetPairs();
-    m_general.push_back(index);
-    m_open.emplace_back();
-    m_heldDepth.push_back(-1);
-    if (entry.place == Manifolds::none) m_entries.back().place = manifolds.add(entry.pair);
-}
-
-void SteppedMotion::addBall(const SteppedInput& input, std::uint32_t entry, const ContactPair& laws,
-                            const Manifolds& manifolds) {
-    const Entry& from = m_entries[entry];
-    const bool isFlipped = m_islands.numberOf(from.pair.b) == immobile;
-    m_isFlipped[entry] = isFlipped ? 1 : 0;
-    const BodyIndex a = isFlipped ? from.pair.b : from.pair.a, b = isFlipped ? from.pair.a : from.pair.b;
-    BallPair pair{.a = m_islands.numberOf(a),
-                  .b = m_islands.numberOf(b),
-                  .radiusB = input.bodies.boundingRadius[b],
-                  .friction = laws.friction,
-                  .restitution = laws.restitution,
-                  .push = mostCorrection * laws.size / m_substep};
-    const Vec3& placeB = input.state.pose[b].position;
-    if (const Wall* wall = std::get_if<Wall>(&input.bodies.shape[a])) {
-        pair.wall = true;
-        pair.normal = wall->normal;
-        pair.fixed = placeB - distanceTo(*wall, placeB) * wall->normal;
-    } else {
-        pair.radiusA = input.bodies.boundingRadius[a];
-        if (pair.a == immobile) pair.fixed = input.state.pose[a].position;
-        const Vec3 between = placeB - input.state.pose[a].position;
-        const double distance = between.norm();
-        if (distance > 0) pair.normal = between / distance;
-    }
-    if (from.place != Manifolds::none && manifolds[from.place].count > 0)
-        pair.impulse = (isFlipped ? -m_step : m_step) * manifolds[from.place].points[0].force;
-    m_balls.add(pair, entry, immobile, m_bodies.solved());
+    m_pairs.add(input, entry, m_islands, m_bodies.solved(), m_step, manifolds);
+    m_bodies.forgetMoving();
 }
 
 SteppedReport SteppedMotion::advance(const SteppedInput& input, Manifolds& manifolds, double part) {
@@ -204,10 +151,10 @@ CAROM_WIDE void SteppedMotion::foreseeStruck(double duration, std::span<const st
 
 // Whether a watched pair with a body that was struck may close its gap within the step.
 CAROM_INLINE bool SteppedMotion::isStruck(const Watched& pair) const {
-    const Coming &a = m_coming[pair.a], &b = m_coming[pair.b];
+    const Coming &a = m_coming[pair.open.a], &b = m_coming[pair.open.b];
     if (!a.isStruck && !b.isStruck) return false;
-    return pair.gap + pair.normal.dot(vectorOf(b.shift) - vectorOf(a.shift)) <
-           pair.radiusA * a.turn + pair.radiusB * b.turn;
+    return pair.open.gap + pair.open.normal.dot(vectorOf(b.shift) - vectorOf(a.shift)) <
+           pair.open.radiusA * a.turn + pair.open.radiusB * b.turn;
 }
 
 // The first of the watched pairs from `number` on that is struck, or `end`.
@@ -220,8 +167,8 @@ CAROM_WIDE std::size_t SteppedMotion::nextStruck(std::size_t number, std::size_t
 // Makes rows for contacts of bodies that were struck. True if there were any.
 bool SteppedMotion::addStruck(const SteppedInput& input, double duration, Manifolds& manifolds,
                               SteppedReport& report) {
-    bool any = m_balls.findStruck(m_bodies.solved(), m_bodies.places(), m_bodies.moved(), duration,
-                                  input.gravity, input.workers);
+    bool any = m_pairs.balls().findStruck(m_bodies.solved(), m_bodies.places(), m_bodies.moved(), duration,
+                                          input.gravity, input.workers);
     bool anyRow = false;
     if (!m_watched.empty()) foreseeStruck(duration, input.workers);
     m_struckPairs.clear();
@@ -232,21 +179,20 @@ bool SteppedMotion::addStruck(const SteppedInput& input, double duration, Manifo
                                    struck.push_back(i);
                            });
     for (const std::size_t i : std::span<const std::size_t>(m_struckPairs)) {
-        Watched& pair = m_watched[i];
-        PersistentManifold& manifold = manifolds[m_entries[pair.entry].place];
-        const SolverBody &bodyA = m_bodies.solved()[pair.a], &bodyB = m_bodies.solved()[pair.b];
-        if (pair.a != immobile) input.state.velocity[manifold.pair.a] = vectorOf(bodyA.velocity);
-        if (pair.b != immobile) input.state.velocity[manifold.pair.b] = vectorOf(bodyB.velocity);
+        auto& [entry, number, open] = m_watched[i];
+        PersistentManifold& manifold = manifolds[m_pairs.entries()[entry].place];
+        const SolverBody &bodyA = m_bodies.solved()[open.a], &bodyB = m_bodies.solved()[open.b];
+        if (open.a != immobile) input.state.velocity[manifold.pair.a] = vectorOf(bodyA.velocity);
+        if (open.b != immobile) input.state.velocity[manifold.pair.b] = vectorOf(bodyB.velocity);
         const ManifoldInput here{input.bodies, input.state, input.gravity, duration};
         const double speed = (vectorOf(bodyB.velocity) - vectorOf(bodyA.velocity)).norm() +
-                             pair.radiusA * vectorOf(bodyA.spin).norm() +
-                             pair.radiusB * vectorOf(bodyB.spin).norm();
+                             open.radiusA * vectorOf(bodyA.spin).norm() +
+                             open.radiusB * vectorOf(bodyB.spin).norm();
         ++report.work.pairsCollided;
         if (!closeManifold(here, duration * speed, manifold)) continue;
-        const PlacedManifold contact = placedAtLook(here, manifold);
-        m_rows.add(rowOf(input.bodies, pair.entry, contact), pair.entry, m_bodies.solved());
-        m_open[pair.open].watched.gap = 0;
-        pair.entry = ContactRows::noPair;
+        m_rows.add(rowOf(input.bodies, entry, placedAtLook(here, manifold)), entry, m_bodies.solved());
+        m_pairs.general()[number].open.gap = 0;
+        entry = ContactRows::noPair;
         anyRow = true;
     }
     if (anyRow) {
@@ -260,7 +206,7 @@ bool SteppedMotion::addStruck(const SteppedInput& input, double duration, Manifo
 void SteppedMotion::sweep(const StepSettings& settings, Workers& workers, SteppedReport& report) {
     for (int pass = 0; pass < m_division.passes; ++pass) {
         solveSprings(m_springs, m_bodies.solved());
-        m_balls.solve(m_bodies.solved(), m_bodies.moved(), forBalls(settings), fromTop, workers);
+        m_pairs.balls().solve(m_bodies.solved(), m_bodies.moved(), forBalls(settings), fromTop, workers);
         solveVelocities(m_rows, m_bodies.solved(), settings, fromTop, workers);
         resistRolling(m_rows, m_bodies.solved());
     }
@@ -278,7 +224,7 @@ void SteppedMotion::step(const SteppedInput& input, double duration, Manifolds& 
                                 .resting = 2 * fall.norm(),
                                 .yield = mostSag / mostCorrection * m_substep,
                                 .fall = fall.norm()};
-    const bool ballsBounce = m_balls.recordApproach(m_bodies.solved(), settings, input.workers);
+    const bool ballsBounce = m_pairs.balls().recordApproach(m_bodies.solved(), settings, input.workers);
     const bool bounces = recordApproach(m_rows, m_bodies.solved(), settings, input.workers) || ballsBounce;
     m_bodies.beginStep(input, m_islands, duration);
     findPulling(input.bodies);
@@ -289,7 +235,7 @@ void SteppedMotion::step(const SteppedInput& input, double duration, Manifolds& 
         findParts();
         m_energy.remember(m_bodies.solved(), movingParts(), parts(), input.workers);
     }
-    m_balls.warmStart(m_bodies.solved(), input.workers);
+    m_pairs.balls().warmStart(m_bodies.solved(), input.workers);
     warmStart(m_rows, m_bodies.solved(), input.workers);
     sweep(settings, input.workers, report);
     for (int round = 0; round < mostRounds; ++round) {
@@ -312,7 +258,7 @@ void SteppedMotion::step(const SteppedInput& input, double duration, Manifolds& 
     for (int pass = 0; pass < m_division.passes; ++pass) {
         solveSprings(m_springs, m_bodies.solved());
         const double ofBalls =
-            m_balls.relax(m_bodies.solved(), m_bodies.moved(), settings, fromTop, input.workers);
+            m_pairs.balls().relax(m_bodies.solved(), m_bodies.moved(), settings, fromTop, input.workers);
         report.residual =
             std::max(ofBalls, relaxVelocities(m_rows, m_bodies.solved(), settings, fromTop, input.workers));
         resistRolling(m_rows, m_bodies.solved());
@@ -349,7 +295,7 @@ void SteppedMotion::limitEnergy(const StepSettings& settings, Workers& workers, 
     const auto partLeft = [&](std::uint32_t a, std::uint32_t b) {
         return m_stepEnergy.partOf(part[a == immobile || m_still.is(a) ? b : a]);
     };
-    m_balls.scaleImpulses(partLeft);
+    m_pairs.balls().scaleImpulses(partLeft);
     m_rows.scaleImpulses(partLeft);
 }
 
@@ -367,16 +313,16 @@ bool SteppedMotion::mayGainEnergy(const StepSettings& settings, Workers& workers
 void SteppedMotion::rebound(const StepSettings& settings, Workers& workers, SteppedReport& report) {
     m_active.assign(m_islands.numbers(), 0);
     const ActiveBodies active{m_active, immobile};
-    const int impacts = m_balls.activate(active) + activate(m_rows, active);
+    const int impacts = m_pairs.balls().activate(active) + activate(m_rows, active);
     if (impacts == 0) return;
     report.work.impacts += static_cast<std::uint64_t>(impacts);
     for (const SpringRow& spring : m_springs)
         m_energy.allow(partOf()[movingEnd(spring, m_still)], workOf(spring, m_bodies.solved()));
     copyVelocities(m_bodies.solved(), m_bodies.moving().awake, m_before);
     const int passes =
-        m_balls.rebound(m_bodies.solved(), m_bodies.moved(), settings, mostStrikes, active, workers);
+        m_pairs.balls().rebound(m_bodies.solved(), m_bodies.moved(), settings, mostStrikes, active, workers);
     report.work.rowsSwept +=
-        wideLanes * (static_cast<std::size_t>(passes) * m_balls.activeGroups() +
+        wideLanes * (static_cast<std::size_t>(passes) * m_pairs.balls().activeGroups() +
                      static_cast<std::size_t>(m_division.passes) * m_rows.points().size());
     carom::rebound(m_rows, m_bodies.solved(), settings, m_division.passes, active, workers);
     m_energy.keep(m_before, movingParts(), m_bodies.solved(), workers);
@@ -390,7 +336,7 @@ SpringIslands SteppedMotion::springIslands(const SteppedInput& input) const {
 // Stores the energy that islands with springs may have when the step ends.
 void SteppedMotion::rememberSprings(const SteppedInput& input) {
     m_springLimit.remember(springIslands(input), m_bodies.solved());
-    for (const Entry& entry : m_entries)
+    for (const Entry& entry : m_pairs.entries())
         if (const auto [a, b] = m_islands.numbersOf(entry.pair); a == immobile || b == immobile)
             m_springLimit.hold(m_islands.of(entry.pair));
     for (std::uint32_t island = 0; island < m_islands.islandNumbers(); ++island)
@@ -401,7 +347,7 @@ void SteppedMotion::rememberSprings(const SteppedInput& input) {
 void SteppedMotion::findCorrection(const StepSettings& settings) {
     m_corrected.assign(m_islands.numbers(), 0);
     addCorrection(m_rows, settings, m_corrected);
-    m_balls.addCorrection(m_bodies.moved(), forBalls(settings), m_corrected);
+    m_pairs.balls().addCorrection(m_bodies.moved(), forBalls(settings), m_corrected);
 }
 
 // Solves on while islands with springs have more energy than there is, and slows them down to what it allows,
@@ -424,20 +370,18 @@ void SteppedMotion::storeForces(Manifolds& manifolds, Workers& workers) const {
     for (const RowGroup& group : m_rows.groups().subspan(m_rows.carriedGroups()))
         for (std::size_t lane = 0; lane < wideLanes; ++lane) {
             if (group.source[lane] == ContactRows::noPair) continue;
-            PersistentManifold& manifold = manifolds[m_entries[group.source[lane]].place];
+            PersistentManifold& manifold = manifolds[m_pairs.entries()[group.source[lane]].place];
             for (std::size_t k = 0; k < static_cast<std::size_t>(manifold.count); ++k)
                 manifold.points[k].force = perStep * m_rows.impulseOf(group, static_cast<int>(lane), k);
         }
     for (const RollingRow& row : m_rows.rolling()) {
         const std::uint32_t source = m_rows.groups()[row.group].source[row.lane];
-        if (source != ContactRows::noPair) manifolds[m_entries[source].place].torque = perStep * row.torque;
+        if (source != ContactRows::noPair)
+            manifolds[m_pairs.entries()[source].place].torque = perStep * row.torque;
     }
 }
 
-std::size_t SteppedMotion::bytes() const {
-    return heldBytes(m_islands, m_bodies, m_still, m_links, m_entries, m_isFlipped, m_general, m_open,
-                     m_heldDepth, m_balls);
-}
+std::size_t SteppedMotion::bytes() const { return heldBytes(m_islands, m_bodies, m_still, m_links, m_pairs); }
 
 void SteppedMotion::clear() {
     m_islands.clear();

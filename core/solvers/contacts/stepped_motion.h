@@ -12,12 +12,12 @@
 #include "core/solvers/contacts/energy_limit.h"
 #include "core/solvers/contacts/manifolds.h"
 #include "core/solvers/contacts/pair_ends.h"
-#include "core/solvers/contacts/pair_sort.h"
 #include "core/solvers/contacts/spring_limit.h"
 #include "core/solvers/contacts/spring_rows.h"
 #include "core/solvers/contacts/stepped_bodies.h"
 #include "core/solvers/contacts/stepped_input.h"
 #include "core/solvers/contacts/stepped_islands.h"
+#include "core/solvers/contacts/stepped_pairs.h"
 #include "core/solvers/contacts/still_bodies.h"
 #include "core/solvers/contacts/turning_bodies.h"
 #include "core/solvers/contacts/velocity_solve.h"
@@ -76,15 +76,7 @@ namespace carom {
 
 class SteppedMotion {
   public:
-    struct Entry {
-        BodyPair pair;
-        std::uint32_t place = Manifolds::none;
-        double margin = 0;    ///< [m]
-        bool isFresh = false; ///< the manifold is of the present poses
-        bool isNear = false;  ///< they touch, or soon do: solved before others, which are idle together
-        bool isLate = false;  ///< came since its island was put in order, and is solved after that
-        bool operator<(const Entry& other) const { return pair < other.pair; }
-    };
+    using Entry = SteppedPairs::Entry;
 
     /// `substep` [s] is that of all that come.
     void begin(const Bodies& bodies, const Division& division, double substep);
@@ -105,40 +97,17 @@ class SteppedMotion {
     /// put in order when the next frame begins.
     void addLate(const SteppedInput& input, const Entry& entry, Manifolds& manifolds) {
         addPair(input, entry, manifolds);
-        m_entries.back().isLate = true;
+        m_pairs.entries().back().isLate = true;
         m_islands.noteUnordered(entry.pair);
     }
     /// So many pairs come that they are put in order before the next substep.
     void orderSoon() { m_isOrderedSoon = true; }
-    /// New numbers of what stays when others leave, by the old ones; a caller keeps the memory.
-    struct NewNumbers {
-        std::vector<std::uint32_t> entries, bodies, islands;
-        std::vector<std::uint32_t> going; ///< entries
-    };
     /// Removes pairs of which `is(entry)` holds: they are too far apart to meet. When a frame begins.
     template<class Is>
     void drop(const Is& is, Manifolds& manifolds, NewNumbers& numbers, Workers& workers) {
-        numbers.going.clear();
-        workers.forLists(m_entries.size(), Workers::enoughOf(5), numbers.going,
-                         [&](std::size_t begin, std::size_t end, std::vector<std::uint32_t>& going) {
-                             const std::span<const Entry> entries = m_entries;
-                             for (std::size_t i = begin; i < end; ++i)
-                                 if (is(entries[i])) going.push_back(static_cast<std::uint32_t>(i));
-                         });
-        if (numbers.going.empty()) return;
-        numbers.entries.assign(m_entries.size(), 0);
-        for (const std::uint32_t i : numbers.going) {
-            numbers.entries[i] = gone;
-            if (m_entries[i].place != Manifolds::none) manifolds.remove(m_entries[i].place);
-            m_islands.noteUnordered(m_entries[i].pair);
-        }
-        forgetPairs();
-        renumberEntries(numbers.entries);
-        m_balls.renumber(numbers.entries, immobile);
+        if (!m_pairs.drop(is, m_islands, manifolds, numbers, workers)) return;
+        m_bodies.forgetMoving();
     }
-    /// Whether the bodies of a pair are so near that they touch, or soon do.
-    static bool isNear(const SteppedInput& input, BodyPair pair);
-
     void setPasses(int passes) { m_division.passes = passes; }
     /// One substep, or `part` of it.
     SteppedReport advance(const SteppedInput& input, Manifolds& manifolds, double part = 1);
@@ -146,24 +115,18 @@ class SteppedMotion {
     template<class Visit>
     void forEachContact(const Bodies& bodies, const State& state, const Manifolds& manifolds,
                         const Visit& visit) const {
-        for (const std::uint32_t entry : m_general)
-            if (const PersistentManifold& manifold = manifolds[m_entries[entry].place];
-                manifold.count > 0 && !manifold.open)
-                visit(manifold);
-        m_balls.forEach([&](std::uint32_t index, const Vec3& normal, const Vec3& impulse) {
-            if (impulse != Vec3::Zero()) visit(manifoldOfBalls(bodies, state, index, normal, impulse));
-        });
+        m_pairs.forEachContact(bodies, state, manifolds, m_step, visit);
     }
     /// visit(island, points in contact, round) for every pair that has a manifold or is of balls in contact,
     /// as of the last substep.
     template<class Visit>
     void forEachCount(const Manifolds& manifolds, const Visit& visit) const {
-        for (const std::uint32_t entry : m_general) {
-            const PersistentManifold& manifold = manifolds[m_entries[entry].place];
+        for (const SteppedPairs::General& pair : m_pairs.general()) {
+            const PersistentManifold& manifold = manifolds[m_pairs.entries()[pair.entry].place];
             visit(m_islands.of(manifold.pair), manifold.open ? 0 : manifold.count, manifold.round);
         }
-        m_balls.forEachPressed(
-            [&](std::uint32_t index) { visit(m_islands.of(m_entries[index].pair), 1, true); });
+        m_pairs.balls().forEachPressed(
+            [&](std::uint32_t index) { visit(m_islands.of(m_pairs.entries()[index].pair), 1, true); });
     }
     /// Lets bodies of which `is(body)` holds stand still from now on, if the forces on them balance; not in
     /// islands that are marked.
@@ -181,7 +144,7 @@ class SteppedMotion {
     bool isStill(BodyIndex body) const { return m_still.is(m_islands.numberOf(body)); }
     /// Those that moved on in the last substep.
     std::span<const BodyIndex> movedOn() const { return m_movedOn; }
-    std::span<Entry> entries() { return m_entries; }
+    std::span<Entry> entries() { return m_pairs.entries(); }
     /// Whether the bodies are where, and as fast as, the last substep left them.
     bool isUnchanged(const State& state) const { return m_bodies.isUnchanged(state, m_islands); }
     /// Memory that a copy holds.
@@ -199,26 +162,10 @@ class SteppedMotion {
     static constexpr std::size_t fewAwake = SteppedBodies::fewAwake;
     static constexpr std::uint32_t immobile = SteppedIslands::immobile;
     static constexpr std::uint32_t gone = SteppedIslands::gone;
+    /// A general pair whose bodies may be struck.
     struct Watched {
-        std::uint32_t entry = 0;
-        std::uint32_t open = 0;          ///< number of the pair in m_open
-        std::uint32_t a = 0, b = 0;      ///< bodies of the solve
-        Vec3 normal = Vec3::Zero();      ///< as of the last update
-        double gap = 0;                  ///< along the normal, when the rows were made [m]
-        double radiusA = 0, radiusB = 0; ///< of the bodies, as far as they turn: 0 for balls [m]
-    };
-    /// A pair that could not meet at its last update. It is not updated again while its gap along the normal
-    /// of then, less what the two may have closed of it since, is too large for them to meet.
-    struct OpenPair {
-        Watched watched;  ///< its gap is 0 if the pair must be updated [m]
-        double slack = 0; ///< within it they may touch however slow they are [m]; 0 before its first update
-        bool hasPoints = false;
-        bool lacksRows = false; ///< it can meet; the gap is that of points without rows, 0 if there are none
-    };
-    /// The law of the contact of a pair, once it has had one.
-    struct PairLaws {
-        double friction = 0, restitution = 0, rolling = 0, push = 0; ///< as in PairInput; push is above 0
-        double size = 0;                                             ///< as in ContactPair [m]
+        std::uint32_t entry = 0, number = 0;
+        OpenPair open; ///< when the rows were made
     };
     /// What a look finds of a pair.
     struct Seen {
@@ -275,23 +222,10 @@ class SteppedMotion {
         double turn = 0;               ///< [rad]
         bool isStruck = false;         ///< by anything since the look, this step included
     };
-    void forgetPairs();
-    const PairEnds& ends();
     const RowCount& rowCountOf(std::uint32_t entry) const {
-        return m_rowCounts[m_islands.byNumber()[m_islands.memberOf(m_entries[entry].pair)]];
+        return m_rowCounts[m_islands.byNumber()[m_islands.memberOf(m_pairs.entries()[entry].pair)]];
     }
     void order(const SteppedInput& input);
-    void orderGeneral();
-    void renumberGeneral(std::size_t from, std::size_t to);
-    void renumberEntries(std::vector<std::uint32_t>& numbers);
-    void orderBalls(const SteppedInput& input);
-    void keepUnmarked(const Bodies& bodies, NewNumbers& numbers);
-    void addBall(const SteppedInput& input, std::uint32_t entry, const ContactPair& laws,
-                 const Manifolds& manifolds);
-    PersistentManifold manifoldOfBalls(const Bodies& bodies, const State& state, std::uint32_t entry,
-                                       const Vec3& normal, const Vec3& impulse) const;
-    template<class Goes>
-    void storeBalls(const SteppedInput& input, const Goes& goes, Manifolds& manifolds);
     void look(const SteppedInput& input, double duration, Manifolds& manifolds, SteppedReport& report);
     void keepRows(const SteppedInput& input, const Manifolds& manifolds);
     void dropRows();
@@ -307,7 +241,6 @@ class SteppedMotion {
     PairInput rowOf(const Bodies& bodies, const Placed& placed, const PersistentManifold& manifold);
     void setRow(const ManifoldInput& here, const Placed& placed, Manifolds& manifolds);
     void noteCap(const Seen& seen, const PersistentManifold& manifold);
-    PairInput inputOf(const Bodies& bodies, std::uint32_t entry);
     std::uint32_t frameOf(BodyIndex body, std::uint32_t number, bool turns);
     void findContacts(const SteppedInput& input, double duration, std::span<const std::uint32_t> pairs,
                       Manifolds& manifolds, SteppedReport& report);
@@ -323,13 +256,13 @@ class SteppedMotion {
     void noteTravel(const SteppedInput& input, double duration);
     double comesAlong(const Vec3& normal, std::uint32_t numberA, std::uint32_t numberB) const;
     bool staysOpen(OpenPair& pair, double fall) const;
-    OpenPair openPairOf(const Bodies& bodies, std::uint32_t number) const;
+    OpenPair openPairOf(const Bodies& bodies, BodyPair pair) const;
     void foreseeStruck(double duration, Workers& workers);
     void foreseeStruck(double duration, std::span<const std::uint32_t> numbers);
     bool isStruck(const Watched& pair) const;
     std::size_t nextStruck(std::size_t number, std::size_t end) const;
     bool addStruck(const SteppedInput& input, double duration, Manifolds& manifolds, SteppedReport& report);
-    std::size_t points() { return wideLanes * (m_rows.points().size() + m_balls.activeGroups()); }
+    std::size_t points() { return wideLanes * (m_rows.points().size() + m_pairs.balls().activeGroups()); }
     void foreseeTurned(const SteppedInput& input, double duration);
     void foreseeTurned(const SteppedInput& input, double duration, std::uint32_t number);
     void moveAhead(const SteppedInput& input, const Foreseen& body, double part);
@@ -391,11 +324,11 @@ class SteppedMotion {
     Derived<Weight> m_weight;
     SteppedIslands m_islands;
     SteppedBodies m_bodies;
+    SteppedPairs m_pairs;
     StillBodies m_still;
     bool m_areStillNoted = true;    // by all pairs
     std::size_t m_heldContacts = 0; // between bodies that stand still, or cannot move; balls apart
     double m_heldDeepest = 0;       // overlap of these [m]
-    Derived<PairEnds> m_ends;       // of the pairs in m_general
     Scratch<PairSet> m_loadPairs;   // of these: their loads are added up
     Scratch<std::vector<std::uint32_t>> m_candidates; // numbers
     Scratch<std::vector<BodyIndex>> m_stopped, m_woken, m_movedOn;
@@ -413,15 +346,7 @@ class SteppedMotion {
     Scratch<std::vector<double>> m_islandMass, m_islandTime; // [kg], [s]
     Scratch<std::vector<double>> m_corrected; // by number: energy that position correction may add [J]
     double m_deepest = 0;                     // overlap at the last look [m]
-    std::vector<Entry> m_entries;
-    std::vector<std::uint8_t> m_isFlipped; // by entry of balls: B is the pair's first
-    std::vector<std::uint32_t> m_general;  // entries that are not of balls
-    std::size_t m_ascending = 0;           // so many of the first are in order
     bool m_isOrderedSoon = false;
-    std::vector<OpenPair> m_open;    // by number in m_general
-    std::vector<double> m_heldDepth; // the same: overlap of two that stand still in contact; else below 0 [m]
-    Scratch<std::vector<PairLaws>> m_laws; // by entry
-    BallRows m_balls;
     // Of a look or a step.
     Scratch<ContactRows> m_rows;
     Scratch<std::vector<Placed>> m_placed;
@@ -429,10 +354,7 @@ class SteppedMotion {
     Scratch<std::vector<BodyFrame>> m_frames;
     Scratch<std::vector<std::uint32_t>> m_frameOf; // by number: its place in m_frames, if it has one
     Scratch<std::vector<Watched>> m_watched;
-    Scratch<std::vector<std::size_t>> m_struckPairs; // of these
-    Scratch<PlacedPairs> m_placedPairs;              // to be put in order
-    Scratch<PairSort<PlacedPair>> m_sort;
-    Scratch<std::vector<std::uint32_t>> m_order, m_added;
+    Scratch<std::vector<std::size_t>> m_struckPairs;         // of these
     Scratch<std::vector<Seen>> m_seen, m_touching, m_sorted; // of a look: all, and those in contact
     Scratch<std::vector<Travel>> m_travel;                   // by number
     Scratch<std::vector<Coming>> m_coming;                   // by number

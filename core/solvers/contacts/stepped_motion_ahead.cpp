@@ -207,13 +207,13 @@ bool SteppedMotion::findAnew(const SteppedInput& input, const ManifoldInput& the
                              std::uint32_t lane, Manifolds& manifolds, bool adds) {
     const RowGroup& of = m_rows.groups()[group];
     const std::uint32_t entry = of.source[lane];
-    PersistentManifold& manifold = manifolds[m_entries[entry].place];
+    PersistentManifold& manifold = manifolds[m_pairs.entries()[entry].place];
     const Vec3 normal = laneOf(of.normal, lane);
     if (!moveToNearest(input, there, {of.a[lane], of.b[lane]}, manifold.pair, normal)) {
         if (adds) return false;
         m_hasEmptyRows = true;
         if (m_rows.points()[of.firstPoint].massNormal[lane] == 0) return false; // they have none already
-        PairInput none = inputOf(there.bodies, entry);
+        PairInput none = m_pairs.inputOf(there.bodies, m_islands, entry);
         none.normal = normal;
         m_rows.replace(group, lane, none, m_bodies.solved());
         return false;
@@ -223,7 +223,7 @@ bool SteppedMotion::findAnew(const SteppedInput& input, const ManifoldInput& the
         PersistentManifold also = manifold;
         also.count = 0;
         also.torque.setZero(); // the rows that are there have it
-        if (!closeManifold(there, m_entries[entry].margin, also)) return false;
+        if (!closeManifold(there, m_pairs.entries()[entry].margin, also)) return false;
         const PlacedManifold contact = placedAtLook(there, also);
         m_addedRows.push_back(m_rows.add(rowOf(there.bodies, entry, contact), entry, m_bodies.solved()));
         if (isStruck)
@@ -238,7 +238,7 @@ bool SteppedMotion::findAnew(const SteppedInput& input, const ManifoldInput& the
         for (std::size_t k = 0; k < points().size(); ++k)
             points()[k].force = m_rows.impulseOf(of, static_cast<int>(lane), k) / m_step;
     manifold.torque = m_rows.torqueOf(group, lane) / m_step;
-    closeManifold(there, m_entries[entry].margin, manifold);
+    closeManifold(there, m_pairs.entries()[entry].margin, manifold);
     PlacedManifold contact = placedAtLook(there, manifold);
     for (PointInput& point : contact.points) point.impulse *= m_step; // from forces
     contact.torque *= m_step;

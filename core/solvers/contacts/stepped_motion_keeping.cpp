@@ -28,13 +28,13 @@ namespace carom {
 void SteppedMotion::keepRows(const SteppedInput& input, const Manifolds& manifolds) {
     m_bodies.noteMoved(input.bodies, m_islands, rowsWithin, rowsAngle); // of those that are far, none is kept
     const auto keeps = [&](const MovedSince& a, const MovedSince& b, std::uint32_t entry) {
-        const double moved = (a.moved + b.moved) / m_laws[entry].size, turned = a.turned + b.turned;
+        const double moved = (a.moved + b.moved) / m_pairs.lawsOf(entry).size, turned = a.turned + b.turned;
         if (moved <= PersistentManifold::keptWithin && turned <= PersistentManifold::keptAngle) return true;
         return moved <= rowsWithin && turned <= rowsAngle &&
-               staysInPlace(input.bodies, manifolds[m_entries[entry].place], turned);
+               staysInPlace(input.bodies, manifolds[m_pairs.entries()[entry].place], turned);
     };
-    m_rowState.assign(m_entries.size(), Rows::None);
-    m_rowOf.resize(m_entries.size());
+    m_rowState.assign(m_pairs.entries().size(), Rows::None);
+    m_rowOf.resize(m_pairs.entries().size());
     m_rowCounts.assign(m_islands.islandNumbers(), {});
     const std::span<const RowGroup> groups = m_rows.groups().first(m_rows.carriedGroups());
     for (std::uint32_t group = 0; group < groups.size(); ++group)
@@ -58,7 +58,7 @@ void SteppedMotion::dropRows() {
     for (const std::uint32_t i : m_bodies.moving().awake)
         if (!m_rowCounts[m_islands.byNumber()[i]].keeps()) m_bodies.noteFar(i);
     if (std::ranges::none_of(m_rowCounts, &RowCount::keeps)) {
-        m_rowState.assign(m_entries.size(), Rows::None);
+        m_rowState.assign(m_pairs.entries().size(), Rows::None);
         m_rows.begin(m_islands.numbers(), immobile);
         return;
     }
@@ -86,10 +86,12 @@ void SteppedMotion::lookAgain(const SteppedInput& input, double duration, Manifo
     std::erase_if(m_watched, [this](const Watched& pair) { return rowCountOf(pair.entry).drops(); });
     m_again.clear();
     for (const std::uint32_t number : m_bodies.moving().pairs)
-        if (rowCountOf(m_general[number]).drops()) m_again.push_back(number);
+        if (rowCountOf(m_pairs.general()[number].entry).drops()) m_again.push_back(number);
     findContacts(input, duration, m_again, manifolds, report);
-    report.contacts = static_cast<std::size_t>(std::ranges::count_if(
-        m_bodies.moving().pairs, [this](std::uint32_t number) { return m_open[number].hasPoints; }));
+    report.contacts =
+        static_cast<std::size_t>(std::ranges::count_if(m_bodies.moving().pairs, [this](std::uint32_t number) {
+            return m_pairs.general()[number].open.hasPoints;
+        }));
 }
 
 } // namespace carom

@@ -43,27 +43,14 @@ void SteppedMotion::look(const SteppedInput& input, double duration, Manifolds& 
     findContacts(input, duration, m_bodies.moving().pairs, manifolds, report);
     if (wakeStruck(input, manifolds)) lookAgain(input, duration, manifolds, report);
     m_arePartsFound = false;
-    report.contacts += wideLanes * m_balls.activeGroups() + m_balls.heldContacts() + m_heldContacts;
+    report.contacts +=
+        wideLanes * m_pairs.balls().activeGroups() + m_pairs.balls().heldContacts() + m_heldContacts;
     report.maxPenetration =
-        std::max({report.maxPenetration, m_deepest, m_heldDeepest, m_balls.heldDeepest()});
-}
-
-// Pairs or bodies come or go, or get other numbers.
-void SteppedMotion::forgetPairs() {
-    m_ends.forget();
-    m_bodies.forgetMoving();
-}
-
-const PairEnds& SteppedMotion::ends() {
-    if (!m_ends.isKnown())
-        m_ends.make(m_general.size(), m_islands.numbers(), [this](std::size_t number) {
-            return m_islands.numbersOf(m_entries[m_general[number]].pair);
-        });
-    return m_ends;
+        std::max({report.maxPenetration, m_deepest, m_heldDeepest, m_pairs.balls().heldDeepest()});
 }
 
 void SteppedMotion::findMoving() {
-    if (!m_bodies.findMoving(m_still.flags(), ends(), m_islands)) return;
+    if (!m_bodies.findMoving(m_still.flags(), m_pairs.ends(m_islands), m_islands)) return;
     m_part.resize(m_islands.numbers());
     std::iota(m_part.begin(), m_part.end(), 0U);
     m_travel.assign(m_islands.numbers(), {});
@@ -74,23 +61,22 @@ void SteppedMotion::findMoving() {
 void SteppedMotion::findContacts(const SteppedInput& input, double duration,
                                  std::span<const std::uint32_t> pairs, Manifolds& manifolds,
                                  SteppedReport& report) {
-    m_balls.refresh(m_bodies.solved(), m_bodies.places(), duration, input.gravity, input.workers);
-    m_deepest = std::max(m_deepest, m_balls.deepest());
+    m_pairs.balls().refresh(m_bodies.solved(), m_bodies.places(), duration, input.gravity, input.workers);
+    m_deepest = std::max(m_deepest, m_pairs.balls().deepest());
     m_hasEmptyRows = false;
     m_touching.clear();
-    reserveFor(m_general.size(), m_watched);
+    reserveFor(m_pairs.general().size(), m_watched);
     m_frameOf.resize(m_islands.numbers(), BallRows::noPair);
-    m_laws.resize(m_entries.size());
+    m_pairs.beginLook();
     const ManifoldInput here{input.bodies, input.state, input.gravity, duration};
     updatePairs(here, pairs, manifolds, input.workers, report);
     for (const Seen& seen : m_seen) {
+        const auto& [entry, open, heldDepth] = m_pairs.general()[seen.number];
         if (seen.isTouching)
             m_touching.push_back(seen);
         else if (seen.isWatched)
-            m_watched.push_back(m_open[seen.number].watched);
-        if (const std::uint32_t entry = m_general[seen.number];
-            !seen.isTouching && m_rowState[entry] == Rows::Old)
-            m_rows.remove(oldRowsOf(entry));
+            m_watched.push_back({entry, seen.number, open});
+        if (!seen.isTouching && m_rowState[entry] == Rows::Old) m_rows.remove(oldRowsOf(entry));
         report.contacts += seen.hasPoints ? 1 : 0;
     }
     addRows(here, manifolds, input.workers);
@@ -105,53 +91,53 @@ CAROM_INLINE double SteppedMotion::comesAlong(const Vec3& normal, std::uint32_t 
 }
 
 CAROM_INLINE bool SteppedMotion::staysOpen(OpenPair& pair, double fall) const {
-    double& gap = pair.watched.gap;
+    double& gap = pair.gap;
     if (!(gap > 0)) return false;
-    const Travel &a = m_travel[pair.watched.a], &b = m_travel[pair.watched.b];
-    gap += pair.watched.normal.dot(b.came - a.came) - a.turned - b.turned;
-    return gap > pair.slack + fall + comesAlong(pair.watched.normal, pair.watched.a, pair.watched.b);
+    const Travel &a = m_travel[pair.a], &b = m_travel[pair.b];
+    gap += pair.normal.dot(b.came - a.came) - a.turned - b.turned;
+    return gap > pair.slack + fall + comesAlong(pair.normal, pair.a, pair.b);
 }
 
 CAROM_INLINE SteppedMotion::Seen SteppedMotion::see(const ManifoldInput& here, std::uint32_t number,
                                                     double fall, Manifolds& manifolds,
                                                     std::size_t& collided) {
-    const Entry& entry = m_entries[m_general[number]];
-    OpenPair& open = m_open[number];
-    if (Rows& rows = m_rowState[m_general[number]]; rows == Rows::Kept) {
-        if (!(open.watched.gap > 0) || staysOpen(open, fall)) return {.number = number, .hasPoints = true};
+    const Entry& entry = m_pairs.entryOf(number);
+    OpenPair& open = m_pairs.general()[number].open;
+    if (Rows& rows = m_rowState[m_pairs.general()[number].entry]; rows == Rows::Kept) {
+        if (!(open.gap > 0) || staysOpen(open, fall)) return {.number = number, .hasPoints = true};
         rows = Rows::Old;
     }
     if (entry.isFresh || open.lacksRows || !staysOpen(open, fall))
         return seeAnew(here, number, fall, manifolds, collided);
-    return {.number = number, .hasPoints = open.hasPoints, .isWatched = open.watched.gap <= entry.margin};
+    return {.number = number, .hasPoints = open.hasPoints, .isWatched = open.gap <= entry.margin};
 }
 
 // Updates the manifold of a pair that may meet.
 SteppedMotion::Seen SteppedMotion::seeAnew(const ManifoldInput& here, std::uint32_t number, double fall,
                                            Manifolds& manifolds, std::size_t& collided) {
-    Entry& entry = m_entries[m_general[number]];
-    OpenPair& open = m_open[number];
+    Entry& entry = m_pairs.entryOf(number);
+    OpenPair& open = m_pairs.general()[number].open;
     PersistentManifold& manifold = manifolds[entry.place];
     if (std::exchange(entry.isFresh, false))
         openIfApart(here, manifold);
     else
         collided += updateManifold(here, entry.margin, manifold) ? 1 : 0;
-    if (!(open.slack > 0)) open = openPairOf(here.bodies, number);
+    if (!(open.slack > 0)) open = openPairOf(here.bodies, entry.pair);
     const Vec3 normal = normalOf(here, manifold);
-    open.watched.normal = normal;
+    open.normal = normal;
     open.hasPoints = manifold.count > 0;
     open.lacksRows = false;
     if (manifold.open) {
-        open.watched.gap = manifold.gap;
-        return {.number = number, .hasPoints = open.hasPoints, .isWatched = open.watched.gap <= entry.margin};
+        open.gap = manifold.gap;
+        return {.number = number, .hasPoints = open.hasPoints, .isWatched = open.gap <= entry.margin};
     }
-    const double reach = open.slack + fall + comesAlong(normal, open.watched.a, open.watched.b);
+    const double reach = open.slack + fall + comesAlong(normal, open.a, open.b);
     const NearPoints near = nearPoints(here, manifold, normal, reach);
     open.lacksRows = std::isfinite(near.next);
-    open.watched.gap = open.lacksRows ? near.next : 0;
+    open.gap = open.lacksRows ? near.next : 0;
     return {.number = number,
-            .a = open.watched.a,
-            .b = open.watched.b,
+            .a = open.a,
+            .b = open.b,
             .near = static_cast<std::uint8_t>(near.bits),
             .isRound = manifold.round,
             .hasPoints = open.hasPoints,
@@ -194,14 +180,14 @@ void SteppedMotion::addRows(const ManifoldInput& here, Manifolds& manifolds, Wor
         m_touching.size(), sections,
         [&](std::size_t i) {
             const Seen& seen = m_touching[i];
-            const std::uint32_t entry = m_general[seen.number];
-            const auto [a, b] = m_entries[entry].pair;
+            const std::uint32_t entry = m_pairs.general()[seen.number].entry;
+            const auto [a, b] = m_pairs.entries()[entry].pair;
             const std::size_t count = countOf[seen.near];
             const bool hasRows = m_rowState[entry] == Rows::Old;
             const LanePacker::Place old = hasRows ? oldRowsOf(entry) : LanePacker::Place{};
             const bool isAgain = hasRows && m_rows.placeAgain(old, count);
             if (hasRows && !isAgain) m_rows.remove(old);
-            if (m_division.looks > 1) noteCap(seen, manifolds[m_entries[entry].place]);
+            if (m_division.looks > 1) noteCap(seen, manifolds[m_pairs.entries()[entry].place]);
             m_placed.push_back({isAgain ? old : m_rows.placeCarried(seen.a, seen.b, count, entry),
                                 seen.number, entry, frameOf(a, seen.a, !seen.isRound),
                                 frameOf(b, seen.b, !seen.isRound), seen.near, isAgain});
@@ -216,8 +202,8 @@ void SteppedMotion::addRows(const ManifoldInput& here, Manifolds& manifolds, Wor
         for (std::size_t i = begin; i < end; ++i) setRow(here, m_placed[i], manifolds);
     });
     for (const Placed& placed : m_placed) {
-        if (!(m_laws[placed.entry].rolling > 0)) continue;
-        const PairInput pair = rowOf(here.bodies, placed, manifolds[m_entries[placed.entry].place]);
+        if (!(m_pairs.lawsOf(placed.entry).rolling > 0)) continue;
+        const PairInput pair = rowOf(here.bodies, placed, manifolds[m_pairs.entries()[placed.entry].place]);
         if (placed.isAgain)
             m_rows.turnRolling(placed.place, pair.normal, m_bodies.solved());
         else
@@ -238,23 +224,6 @@ BodyFrame SteppedMotion::frameOf(const ManifoldInput& here, const Framed& framed
     return {framed.turns ? pose.orientation.toRotationMatrix() : Mat3(Mat3::Identity()), pose.position};
 }
 
-// What is the same for a pair at every look.
-PairInput SteppedMotion::inputOf(const Bodies& bodies, std::uint32_t entry) {
-    const BodyPair pair = m_entries[entry].pair;
-    PairLaws& laws = m_laws[entry];
-    if (!(laws.push > 0)) {
-        const ContactPair of = pairOf(bodies, pair, 0);
-        laws = {of.friction, of.restitution, of.rolling, mostCorrection * of.size / m_substep, of.size};
-    }
-    return {.a = m_islands.numberOf(pair.a),
-            .b = m_islands.numberOf(pair.b),
-            .friction = laws.friction,
-            .restitution = laws.restitution,
-            .rolling = laws.rolling,
-            .push = laws.push,
-            .points = {}};
-}
-
 // The contact at the present poses, with separations as at the look: rows add the displacement since.
 PlacedManifold SteppedMotion::placedAtLook(const ManifoldInput& here,
                                            const PersistentManifold& manifold) const {
@@ -269,7 +238,7 @@ PlacedManifold SteppedMotion::placedAtLook(const ManifoldInput& here,
 
 // A pair with the points of a contact, whose impulses and torque are in [N s] and [N m s].
 PairInput SteppedMotion::rowOf(const Bodies& bodies, std::uint32_t entry, const PlacedManifold& contact) {
-    PairInput pair = inputOf(bodies, entry);
+    PairInput pair = m_pairs.inputOf(bodies, m_islands, entry);
     pair.normal = contact.normal;
     pair.torque = contact.torque;
     pair.points = std::span(contact.points).first(static_cast<std::size_t>(contact.count));
@@ -278,14 +247,14 @@ PairInput SteppedMotion::rowOf(const Bodies& bodies, std::uint32_t entry, const 
 
 PairInput SteppedMotion::rowOf(const Bodies& bodies, const Placed& placed,
                                const PersistentManifold& manifold) {
-    PairInput pair = inputOf(bodies, placed.entry);
-    pair.normal = m_open[placed.number].watched.normal;
+    PairInput pair = m_pairs.inputOf(bodies, m_islands, placed.entry);
+    pair.normal = m_pairs.general()[placed.number].open.normal;
     pair.torque = manifold.torque;
     return pair;
 }
 
 void SteppedMotion::setRow(const ManifoldInput& here, const Placed& placed, Manifolds& manifolds) {
-    PersistentManifold& manifold = manifolds[m_entries[placed.entry].place];
+    PersistentManifold& manifold = manifolds[m_pairs.entries()[placed.entry].place];
     const auto [a, b] = manifold.pair;
     const bool isBetween = here.bodies.mobile[a] != 0 && here.bodies.mobile[b] != 0 &&
                            !(isSphere(here.bodies, a) && isSphere(here.bodies, b));
@@ -311,19 +280,15 @@ void SteppedMotion::noteTravel(const SteppedInput& input, double duration) {
 }
 
 // What is the same for a pair until bodies get other numbers.
-SteppedMotion::OpenPair SteppedMotion::openPairOf(const Bodies& bodies, std::uint32_t number) const {
-    const std::uint32_t entry = m_general[number];
-    const auto [a, b] = m_entries[entry].pair;
+OpenPair SteppedMotion::openPairOf(const Bodies& bodies, BodyPair pair) const {
     const auto turning = [&](BodyIndex i) {
         return bodies.mobile[i] != 0 && !isSphere(bodies, i) ? bodies.boundingRadius[i] : 0;
     };
-    return {.watched = {.entry = entry,
-                        .open = number,
-                        .a = m_islands.numberOf(a),
-                        .b = m_islands.numberOf(b),
-                        .radiusA = turning(a),
-                        .radiusB = turning(b)},
-            .slack = slackPart * smallerSize(bodies, m_entries[entry].pair)};
+    return {.a = m_islands.numberOf(pair.a),
+            .b = m_islands.numberOf(pair.b),
+            .radiusA = turning(pair.a),
+            .radiusB = turning(pair.b),
+            .slack = slackPart * smallerSize(bodies, pair)};
 }
 
 } // namespace carom

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/base/wide.h"
 #include "core/dynamics/contact_memory.h"
 #include "core/dynamics/free_rotation.h"
 #include "core/solvers/contacts/calm.h"
@@ -11,36 +10,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <tuple>
 #include <utility>
 #include <vector>
 
 // Which bodies of the base path stand still (still_bodies.h), and what makes them move on.
 
 namespace carom {
-namespace {
-
-// How many depths are not below 0, and the largest of these or 0 [m].
-CAROM_WIDE std::pair<std::size_t, double> sumOfHeld(std::span<const double> depths) {
-    const Wide zero{}, one = wideOf(1);
-    Wide count{}, deepest{};
-    std::size_t i = 0;
-    for (; i + wideLanes <= depths.size(); i += wideLanes) {
-        const Wide depth = loadUnaligned(&depths[i]);
-        count += depth >= zero ? one : zero;
-        deepest = larger(deepest, depth);
-    }
-    std::size_t held = static_cast<std::size_t>(count[0] + count[1] + count[2] + count[3]);
-    double most = largestLane(deepest);
-    for (; i < depths.size(); ++i) {
-        held += depths[i] >= 0 ? 1 : 0;
-        most = std::max(most, depths[i]);
-    }
-    return {held, most};
-}
-
-} // namespace
-
 void SteppedMotion::findSlowest(const SteppedInput& input, std::vector<double>& slowest) {
     if (m_links.empty()) return;
     std::vector<double>&mass = m_islandMass, &times = m_islandTime;
@@ -94,7 +69,7 @@ void SteppedMotion::noteStill(const SteppedInput& input, const Manifolds& manifo
 }
 
 void SteppedMotion::holdPairs() {
-    m_balls.hold(m_still.flags(), m_still.changed(), m_bodies.solved());
+    m_pairs.balls().hold(m_still.flags(), m_still.changed(), m_bodies.solved());
     m_still.forgetChanges();
     m_areStillNoted = true;
     m_islands.noteStill(m_still.flags());
@@ -104,17 +79,22 @@ void SteppedMotion::holdPairs() {
 // touch one that has.
 void SteppedMotion::addUpLoads(const SteppedInput& input, const Manifolds& manifolds) {
     touchBesideChanged(input, manifolds);
-    m_loadPairs.clear(m_general.size());
+    m_loadPairs.clear(m_pairs.general().size());
     for (std::uint32_t i = 1; i < m_islands.numbers(); ++i) {
         if (!m_still.isTouched(i)) continue;
-        for (const std::uint32_t number : ends().pairsOf(i)) m_loadPairs.add(number);
+        for (const std::uint32_t number : m_pairs.ends(m_islands).pairsOf(i)) m_loadPairs.add(number);
         m_still.clearLoads(i);
         if (m_still.is(i)) m_still.lasting(i).force = input.bodies.mass[m_islands.bodyOf(i)] * input.gravity;
     }
     m_loadPairs.forEach([&](std::uint32_t number) { addUpLoads(input, number, manifolds); });
-    std::tie(m_heldContacts, m_heldDeepest) = sumOfHeld(m_heldDepth);
+    m_heldContacts = 0;
+    m_heldDeepest = 0;
+    for (const SteppedPairs::General& pair : m_pairs.general()) {
+        m_heldContacts += pair.heldDepth >= 0 ? 1 : 0;
+        m_heldDeepest = std::max(m_heldDeepest, pair.heldDepth);
+    }
     const double perStep = 1 / m_step;
-    m_balls.forEachPressing(m_still.touched(), [&](const BallRows::Contact& contact) {
+    m_pairs.balls().forEachPressing(m_still.touched(), [&](const BallRows::Contact& contact) {
         const Vec3 force = perStep * contact.impulse;
         const auto [a, b] = std::pair(contact.a, contact.b);
         if (addsLoad(a)) loadOf(a, b).add(contact.radiusA * contact.normal, -force);
@@ -143,15 +123,15 @@ void SteppedMotion::touchBesideChanged(const SteppedInput& input, const Manifold
     const std::span<const std::uint8_t> changed = m_still.changed();
     for (std::uint32_t i = 1; i < m_islands.numbers(); ++i) {
         if (changed[i] == 0) continue;
-        for (const std::uint32_t number : ends().pairsOf(i)) {
-            const PersistentManifold& manifold = manifolds[m_entries[m_general[number]].place];
+        for (const std::uint32_t number : m_pairs.ends(m_islands).pairsOf(i)) {
+            const PersistentManifold& manifold = manifolds[m_pairs.entryOf(number).place];
             if (manifold.count == 0 || manifold.open) continue;
-            const auto [a, b] = ends().of(number);
+            const auto [a, b] = m_pairs.ends(m_islands).of(number);
             m_still.touch(a);
             m_still.touch(b);
         }
     }
-    m_balls.forEachPressing(changed, [this](const BallRows::Contact& contact) {
+    m_pairs.balls().forEachPressing(changed, [this](const BallRows::Contact& contact) {
         m_still.touch(contact.a);
         m_still.touch(contact.b);
     });
@@ -166,11 +146,11 @@ void SteppedMotion::touchBesideChanged(const SteppedInput& input, const Manifold
 
 // The loads by a pair that is not of two balls, on bodies of which loads are added up.
 void SteppedMotion::addUpLoads(const SteppedInput& input, std::uint32_t number, const Manifolds& manifolds) {
-    const auto [a, b] = ends().of(number);
-    double& heldDepth = m_heldDepth[number];
+    const auto [a, b] = m_pairs.ends(m_islands).of(number);
+    double& heldDepth = m_pairs.general()[number].heldDepth;
     heldDepth = -1;
     if (!m_still.is(a) && !m_still.is(b)) return;
-    const PersistentManifold& manifold = manifolds[m_entries[m_general[number]].place];
+    const PersistentManifold& manifold = manifolds[m_pairs.entryOf(number).place];
     if (manifold.count == 0 || manifold.open) return;
     const bool isHeld = m_still.is(a) && m_still.is(b);
     const PlacedManifold contact = placed({input.bodies, input.state, input.gravity, m_step}, manifold);
@@ -211,7 +191,7 @@ void SteppedMotion::sampleLoads() {
         if (m_still.rests(spring.a)) m_still.sample(spring.a).add(spring.armA, -force);
         if (m_still.rests(spring.b)) m_still.sample(spring.b).add(spring.armB, force);
     }
-    m_balls.forEachBeside(m_still.flags(), [&](const BallRows::Contact& contact) {
+    m_pairs.balls().forEachBeside(m_still.flags(), [&](const BallRows::Contact& contact) {
         const auto [a, b] = std::pair(contact.a, contact.b);
         const Vec3 force = perStep * contact.impulse;
         if (m_still.rests(a)) m_still.sample(a).add(contact.radiusA * contact.normal, -force);
@@ -247,10 +227,10 @@ void SteppedMotion::findParts() {
     for (const std::uint32_t i : m_bodies.moving().awake) m_part[i] = i;
     for (const RowGroup& group : m_rows.groups())
         for (std::size_t lane = 0; lane < wideLanes; ++lane) joinParts(group.a[lane], group.b[lane]);
-    for (const Watched& pair : m_watched) joinParts(pair.a, pair.b);
+    for (const Watched& pair : m_watched) joinParts(pair.open.a, pair.open.b);
     for (const SpringRow& spring : static_cast<const std::vector<SpringRow>&>(m_springs))
         joinParts(spring.a, spring.b);
-    m_balls.forEachPair([this](std::uint32_t a, std::uint32_t b) { joinParts(a, b); });
+    m_pairs.balls().forEachPair([this](std::uint32_t a, std::uint32_t b) { joinParts(a, b); });
     for (const std::uint32_t i : m_bodies.moving().awake) m_part[i] = partWith(i);
 }
 
@@ -296,7 +276,7 @@ bool SteppedMotion::wakeStruck(const SteppedInput& input, const Manifolds& manif
                 strike(a, b, normal.dot(speed), group.restitution[lane]);
             }
         }
-    m_balls.forEachBeside(m_still.flags(), [&](const BallRows::Contact& contact) {
+    m_pairs.balls().forEachBeside(m_still.flags(), [&](const BallRows::Contact& contact) {
         if (!contact.isSolved) return;
         const auto [a, b] = std::pair(contact.a, contact.b);
         strike(a, b,
@@ -341,16 +321,16 @@ void SteppedMotion::passOnStrikes(const SteppedInput& input, const Manifolds& ma
     };
     while (known < m_struckStill.size()) {
         known = m_struckStill.size();
-        for (const std::uint32_t entry : m_general) {
-            const auto [first, second] = m_entries[entry].pair;
-            const std::uint32_t a = m_islands.numberOf(first), b = m_islands.numberOf(second);
+        for (const SteppedPairs::General& pair : m_pairs.general()) {
+            const Entry& entry = m_pairs.entries()[pair.entry];
+            const auto [a, b] = m_islands.numbersOf(entry.pair);
             if (!m_still.is(a) || !m_still.is(b)) continue;
             if ((m_given[a] > 0) == (m_given[b] > 0)) continue;
-            const PersistentManifold& manifold = manifolds[m_entries[entry].place];
+            const PersistentManifold& manifold = manifolds[entry.place];
             if (manifold.count > 0 && !manifold.open)
-                passOn(a, b, pairOf(input.bodies, m_entries[entry].pair, 0).restitution);
+                passOn(a, b, pairOf(input.bodies, entry.pair, 0).restitution);
         }
-        m_balls.forEachPressing(m_still.flags(), [&](const BallRows::Contact& contact) {
+        m_pairs.balls().forEachPressing(m_still.flags(), [&](const BallRows::Contact& contact) {
             if (m_still.is(contact.a) && m_still.is(contact.b))
                 passOn(contact.a, contact.b, contact.restitution);
         });

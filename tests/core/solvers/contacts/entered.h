@@ -66,7 +66,7 @@ class Entered {
                                    .place = known[index].place,
                                    .margin = 0.05,
                                    .isFresh = true,
-                                   .isNear = SteppedMotion::isNear(input(), pairs[index])});
+                                   .isNear = SteppedPairs::isNear(input(), pairs[index])});
         }
         path.enterBriefly(input(), entering, entries, substep, manifolds);
         carried.clear();
