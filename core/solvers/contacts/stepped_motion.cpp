@@ -64,9 +64,6 @@ void SteppedMotion::begin(const Bodies& bodies, const Division& division, double
     m_islands.begin(bodies.count());
     m_bodies.begin();
     m_still.begin();
-    m_areStillNoted = true;
-    m_heldContacts = 0;
-    m_heldDeepest = 0;
     m_links.clear();
     m_pairs.begin(substep);
     m_isOrderedSoon = false;
@@ -88,7 +85,7 @@ void SteppedMotion::addIsland(const SteppedInput& input, std::span<const BodyInd
 }
 
 void SteppedMotion::addPair(const SteppedInput& input, const Entry& entry, Manifolds& manifolds) {
-    if (m_still.any()) noteChanged(entry.pair);
+    if (m_still.any()) m_still.notePair(m_islands.numberOf(entry.pair.a), m_islands.numberOf(entry.pair.b));
     m_pairs.add(input, entry, m_islands, m_bodies.solved(), m_step, manifolds);
     m_bodies.forgetMoving();
 }
@@ -97,7 +94,7 @@ SteppedReport SteppedMotion::advance(const SteppedInput& input, Manifolds& manif
     m_islands.settle();
     m_movedOn.clear();
     if (std::exchange(m_isOrderedSoon, false) || input.isFirst) order(input);
-    if (!m_areStillNoted) noteStill(input, manifolds);
+    if (m_still.isChanged()) noteStill(input, manifolds);
     SteppedReport report;
     if (input.ledger != nullptr) rememberBefore(input);
     m_step = part * m_substep / (m_division.looks * m_division.steps);
@@ -112,11 +109,13 @@ SteppedReport SteppedMotion::advance(const SteppedInput& input, Manifolds& manif
         }
         if (m_links.empty()) m_bodies.turnBalls(input, m_islands);
         storeForces(manifolds, input.workers);
-        sampleLoads();
+        m_still.sampleLoads(m_rows, m_springs, m_pairs.balls(), m_step);
     }
     if (m_still.any()) m_still.takeSamples();
     if (input.ledger != nullptr) recordMotion(input, part * m_substep);
-    if (wakeUnbalanced(input, StillBodies::toMoveOn)) noteStill(input, manifolds);
+    if (const std::span<const std::uint32_t> unbalanced = m_still.unbalanced(input, m_islands);
+        !unbalanced.empty())
+        moveOn(input, unbalanced, manifolds);
     return report;
 }
 
@@ -286,7 +285,8 @@ void SteppedMotion::limitEnergy(const StepSettings& settings, Workers& workers, 
         m_stepEnergy.allow(part[i],
                            0.5 * settings.resting * settings.resting / m_bodies.solved()[i].inverseMass);
     for (const SpringRow& spring : m_springs) // m_springLimit is theirs
-        m_stepEnergy.allow(part[movingEnd(spring, m_still)], std::numeric_limits<double>::infinity());
+        m_stepEnergy.allow(part[movingEnd(spring, m_still.bodies())],
+                           std::numeric_limits<double>::infinity());
     if (corrects) {
         findCorrection(settings);
         for (std::size_t i = 1; i < m_corrected.size(); ++i) m_stepEnergy.allow(part[i], m_corrected[i]);
@@ -317,7 +317,7 @@ void SteppedMotion::rebound(const StepSettings& settings, Workers& workers, Step
     if (impacts == 0) return;
     report.work.impacts += static_cast<std::uint64_t>(impacts);
     for (const SpringRow& spring : m_springs)
-        m_energy.allow(partOf()[movingEnd(spring, m_still)], workOf(spring, m_bodies.solved()));
+        m_energy.allow(partOf()[movingEnd(spring, m_still.bodies())], workOf(spring, m_bodies.solved()));
     copyVelocities(m_bodies.solved(), m_bodies.moving().awake, m_before);
     const int passes =
         m_pairs.balls().rebound(m_bodies.solved(), m_bodies.moved(), settings, mostStrikes, active, workers);

@@ -14,11 +14,11 @@
 #include "core/solvers/contacts/pair_ends.h"
 #include "core/solvers/contacts/spring_limit.h"
 #include "core/solvers/contacts/spring_rows.h"
+#include "core/solvers/contacts/standing_still.h"
 #include "core/solvers/contacts/stepped_bodies.h"
 #include "core/solvers/contacts/stepped_input.h"
 #include "core/solvers/contacts/stepped_islands.h"
 #include "core/solvers/contacts/stepped_pairs.h"
-#include "core/solvers/contacts/still_bodies.h"
 #include "core/solvers/contacts/turning_bodies.h"
 #include "core/solvers/contacts/velocity_solve.h"
 
@@ -105,8 +105,7 @@ class SteppedMotion {
     /// Removes pairs of which `is(entry)` holds: they are too far apart to meet. When a frame begins.
     template<class Is>
     void drop(const Is& is, Manifolds& manifolds, NewNumbers& numbers, Workers& workers) {
-        if (!m_pairs.drop(is, m_islands, manifolds, numbers, workers)) return;
-        m_bodies.forgetMoving();
+        if (m_pairs.drop(is, m_islands, manifolds, numbers, workers)) m_bodies.forgetMoving();
     }
     void setPasses(int passes) { m_division.passes = passes; }
     /// One substep, or `part` of it.
@@ -140,7 +139,7 @@ class SteppedMotion {
     }
     /// Sets slowestTime() (calm.h) of their island, by body at the end of a spring [s].
     void findSlowest(const SteppedInput& input, std::vector<double>& slowest);
-    std::size_t stillBodies() const { return m_still.count(); }
+    std::size_t stillBodies() const { return m_still.bodies().count(); }
     bool isStill(BodyIndex body) const { return m_still.is(m_islands.numberOf(body)); }
     /// Those that moved on in the last substep.
     std::span<const BodyIndex> movedOn() const { return m_movedOn; }
@@ -233,7 +232,8 @@ class SteppedMotion {
     LanePacker::Place oldRowsOf(std::uint32_t entry) const {
         return {m_rows.numberNow(m_rowOf[entry].group), m_rowOf[entry].lane};
     }
-    void lookAgain(const SteppedInput& input, double duration, Manifolds& manifolds, SteppedReport& report);
+    void lookAgain(const SteppedInput& input, double duration, std::span<const std::uint32_t> struck,
+                   Manifolds& manifolds, SteppedReport& report);
     BodyFrame frameOf(const ManifoldInput& here, const Framed& framed) const;
     PlacedManifold placedAtLook(const ManifoldInput& here, const PersistentManifold& manifold) const;
     PairInput rowOf(const Bodies& bodies, std::uint32_t entry, const PlacedManifold& contact);
@@ -295,26 +295,11 @@ class SteppedMotion {
     EnergyLimit::Members movingParts() const { return {m_bodies.moving().awake, partOf()}; }
     std::size_t parts() const { return m_still.any() ? m_islands.numbers() : m_islands.islandNumbers(); }
     void holdStill(const SteppedInput& input, const Manifolds& manifolds);
-    bool isUnbalanced(const SteppedInput& input, std::uint32_t number, double part) const;
+    StandingStill::Input stillInput(const SteppedInput& input, const Manifolds& manifolds);
     void noteStill(const SteppedInput& input, const Manifolds& manifolds);
     void holdPairs();
-    void addUpLoads(const SteppedInput& input, const Manifolds& manifolds);
-    void addUpLoads(const SteppedInput& input, std::uint32_t number, const Manifolds& manifolds);
-    void touchBesideChanged(const SteppedInput& input, const Manifolds& manifolds);
-    bool addsLoad(std::uint32_t number) const { return m_still.rests(number) && m_still.isTouched(number); }
-    /// What a contact with `other` adds to.
-    StillBodies::Load& loadOf(std::uint32_t number, std::uint32_t other) {
-        return m_still.is(other) ? m_still.lasting(number) : m_still.passing(number);
-    }
-    void addUpSpringLoads(const SteppedInput& input);
-    void noteChanged(BodyPair pair);
-    void sampleLoads();
-    bool wakeUnbalanced(const SteppedInput& input, double part);
-    void moveOn(const SteppedInput& input, std::uint32_t number);
-    bool wakeStruck(const SteppedInput& input, const Manifolds& manifolds);
-    void strikeStill(const SteppedInput& input, std::uint32_t from, std::uint32_t to, double closing,
-                     double restitution);
-    void passOnStrikes(const SteppedInput& input, const Manifolds& manifolds);
+    void moveOn(const SteppedInput& input, std::span<const std::uint32_t> numbers,
+                const Manifolds& manifolds);
 
     Division m_division;
     double m_substep = 0, m_step = 0; // [s]
@@ -325,19 +310,13 @@ class SteppedMotion {
     SteppedIslands m_islands;
     SteppedBodies m_bodies;
     SteppedPairs m_pairs;
-    StillBodies m_still;
-    bool m_areStillNoted = true;    // by all pairs
-    std::size_t m_heldContacts = 0; // between bodies that stand still, or cannot move; balls apart
-    double m_heldDeepest = 0;       // overlap of these [m]
-    Scratch<PairSet> m_loadPairs;   // of these: their loads are added up
+    StandingStill m_still;
     Scratch<std::vector<std::uint32_t>> m_candidates; // numbers
-    Scratch<std::vector<BodyIndex>> m_stopped, m_woken, m_movedOn;
-    Scratch<std::vector<std::uint32_t>> m_part; // by number: the least number of its part; its own if still
-    bool m_arePartsFound = false;               // since the last look
-    Scratch<std::vector<double>> m_given; // by number: speed that a strike may give what stands still [m/s]
-    Scratch<std::vector<std::uint32_t>> m_struckStill; // numbers of these
-    Scratch<std::vector<BodyVelocity>> m_before;       // the rebound of an impact
-    Scratch<std::vector<std::uint8_t>> m_active;       // by it
+    Scratch<std::vector<BodyIndex>> m_stopped, m_movedOn;
+    Scratch<std::vector<std::uint32_t>> m_part;  // by number: the least number of its part; its own if still
+    bool m_arePartsFound = false;                // since the last look
+    Scratch<std::vector<BodyVelocity>> m_before; // the rebound of an impact
+    Scratch<std::vector<std::uint8_t>> m_active; // by it
 
     std::vector<std::uint32_t> m_links;            // springs
     Scratch<std::vector<std::uint32_t>> m_pulling; // of these, with an end that does not stand still

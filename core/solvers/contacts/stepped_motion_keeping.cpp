@@ -73,14 +73,14 @@ void SteppedMotion::dropRows() {
     m_rows.compact(m_islands.numbers());
 }
 
-// Finds the contacts anew, at the same poses, of islands with bodies that were struck and move on.
-void SteppedMotion::lookAgain(const SteppedInput& input, double duration, Manifolds& manifolds,
+// Finds the contacts anew, at the same poses, of islands with bodies that were struck, and move on.
+void SteppedMotion::lookAgain(const SteppedInput& input, double duration,
+                              std::span<const std::uint32_t> struck, Manifolds& manifolds,
                               SteppedReport& report) {
     findMoving();
     noteTravel(input, duration);
     m_rowCounts.assign(m_islands.islandNumbers(), {.kept = 1});
-    for (const std::uint32_t i : std::span<const std::uint32_t>(m_struckStill))
-        m_rowCounts[m_islands.byNumber()[i]] = {.old = 1};
+    for (const std::uint32_t i : struck) m_rowCounts[m_islands.byNumber()[i]] = {.old = 1};
     dropRows();
     m_bodies.forgetMoved();
     std::erase_if(m_watched, [this](const Watched& pair) { return rowCountOf(pair.entry).drops(); });

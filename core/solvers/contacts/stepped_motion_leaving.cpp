@@ -32,7 +32,6 @@ void SteppedMotion::leave(const SteppedInput& input, Manifolds& manifolds, NewNu
     m_pairs.leave(numbers);
     m_bodies.leave(numbers.bodies, m_islands.numbers());
     m_still.leave(numbers.bodies, m_islands.numbers());
-    m_areStillNoted = !m_still.any();
     m_isAfterKnown = m_weight.isKnown = false;
     m_rows.begin(m_islands.numbers(), immobile);
 }

@@ -41,16 +41,25 @@ void SteppedMotion::look(const SteppedInput& input, double duration, Manifolds& 
     m_watched.clear();
     report.contacts = 0;
     findContacts(input, duration, m_bodies.moving().pairs, manifolds, report);
-    if (wakeStruck(input, manifolds)) lookAgain(input, duration, manifolds, report);
+    if (const std::span<const std::uint32_t> struck =
+            m_still.struck(stillInput(input, manifolds), m_rows, m_bodies.solved());
+        !struck.empty()) {
+        moveOn(input, struck, manifolds);
+        if (input.ledger != nullptr)
+            m_atBegin.potential += invariantsOf(input.bodies, std::span(m_movedOn).last(struck.size()),
+                                                input.state, input.gravity)
+                                       .potential;
+        lookAgain(input, duration, struck, manifolds, report);
+    }
     m_arePartsFound = false;
     report.contacts +=
-        wideLanes * m_pairs.balls().activeGroups() + m_pairs.balls().heldContacts() + m_heldContacts;
+        wideLanes * m_pairs.balls().activeGroups() + m_pairs.balls().heldContacts() + m_still.heldContacts();
     report.maxPenetration =
-        std::max({report.maxPenetration, m_deepest, m_heldDeepest, m_pairs.balls().heldDeepest()});
+        std::max({report.maxPenetration, m_deepest, m_still.heldDeepest(), m_pairs.balls().heldDeepest()});
 }
 
 void SteppedMotion::findMoving() {
-    if (!m_bodies.findMoving(m_still.flags(), m_pairs.ends(m_islands), m_islands)) return;
+    if (!m_bodies.findMoving(m_still.bodies().flags(), m_pairs.ends(m_islands), m_islands)) return;
     m_part.resize(m_islands.numbers());
     std::iota(m_part.begin(), m_part.end(), 0U);
     m_travel.assign(m_islands.numbers(), {});
