@@ -24,11 +24,8 @@ namespace {
 using namespace test;
 
 Spring springTo(BodyIndex body, double stiffness, double length, double damping = 0) {
-    Spring spring;
-    spring.to = body;
-    spring.stiffness = stiffness;
+    Spring spring = springBetween(noBody, body, stiffness, damping);
     spring.length = length;
-    spring.damping = damping;
     return spring;
 }
 

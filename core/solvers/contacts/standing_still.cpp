@@ -94,12 +94,11 @@ void StandingStill::addUpSpringLoads(const Input& input) {
         const SpringForce& spring = input.of.bodies.springs[link];
         const std::uint32_t a = input.islands.numberAt(spring.from), b = input.islands.numberAt(spring.to);
         if (!addsLoad(a) && !addsLoad(b)) continue;
-        const Vec3 force = forceOf(spring, input.of.state);
-        const auto armOf = [&](BodyIndex body, const Vec3& point) -> Vec3 {
-            return input.of.state.pose[body].orientation * point;
-        };
-        if (addsLoad(a)) loadOf(a, b).add(armOf(spring.from, spring.fromAt), -force);
-        if (addsLoad(b)) loadOf(b, a).add(armOf(spring.to, spring.toAt), force);
+        const SpringPoint from = springPoint(input.of.state, spring.from, spring.fromAt);
+        const SpringPoint to = springPoint(input.of.state, spring.to, spring.toAt);
+        const Vec3 force = forceOf(spring, from, to);
+        if (addsLoad(a)) loadOf(a, b).add(from.arm, -force);
+        if (addsLoad(b)) loadOf(b, a).add(to.arm, force);
     }
 }
 

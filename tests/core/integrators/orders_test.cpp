@@ -27,12 +27,9 @@ constexpr double orderTolerance = 0.1;
 constexpr double rounding = 1e-11;
 
 Spring springTo(BodyIndex body, const Vec3& at = Vec3::Zero(), double damping = 0) {
-    Spring spring;
-    spring.to = body;
+    Spring spring = springBetween(noBody, body, 100, damping);
     spring.toAt = at;
-    spring.stiffness = 100;
     spring.length = 1;
-    spring.damping = damping;
     return spring;
 }
 
