@@ -90,6 +90,15 @@ void SteppedMotion::addPair(const SteppedInput& input, const Entry& entry, Manif
     m_bodies.forgetMoving();
 }
 
+// Passes solve for pairs in the order of their bodies' numbers, from the top to the ground, not in that in
+// which they were added: a heap whose lowest contacts are solved first does not come to rest.
+void SteppedMotion::order(const SteppedInput& input) {
+    const bool isUnordered = m_islands.divide(input.bodies, input.state, input.gravity);
+    for (const std::uint32_t i : m_islands.divided()) m_bodies.noteFar(i); // rows follow suit
+    if (m_pairs.order()) m_bodies.forgetMoving();
+    if (isUnordered) m_pairs.orderBalls(input, m_islands);
+}
+
 SteppedReport SteppedMotion::advance(const SteppedInput& input, Manifolds& manifolds, double part) {
     m_islands.settle();
     m_movedOn.clear();
