@@ -45,9 +45,7 @@ double fallIn(const SolverInput& input, double time) { return 0.5 * input.gravit
 } // namespace
 
 FreeFlight::FreeFlight(const Bodies& bodies)
-    : m_kind(bodies.count(), Kind::Left), m_turn(bodies.count(), 0.0), m_due(bodies.count(), noMeeting),
-      m_part(bodies.count(), -1), m_time(bodies.count(), 0.0), m_speed(bodies.count(), 0.0),
-      m_start(bodies.count()) {}
+    : m_kind(bodies.count(), Kind::Left), m_flight(bodies.count()), m_landing(bodies.count()) {}
 
 void FreeFlight::clear() {
     for (const BodyIndex i : m_bodies) m_kind[i] = Kind::Left;
@@ -66,13 +64,14 @@ double FreeFlight::turnInFrame(const SolverInput& input, BodyIndex body) const {
 
 // What the boxes of one that flies must hold besides its way through a substep, seen as straight [m].
 double FreeFlight::roomOf(const SolverInput& input, BodyIndex body) const {
-    return m_turn[body] + leastRoom(input.bodies, body) + m_fall;
+    return m_flight[body].turn + leastRoom(input.bodies, body) + m_fall;
 }
 
 // Where a body that flies is when a substep begins.
 Vec3 FreeFlight::placeIn(const SolverInput& input, BodyIndex body, int part) const {
     const double time = part * input.substep;
-    return m_start[body].position + time * (m_start[body].velocity + 0.5 * time * input.gravity);
+    const Flight& flight = m_flight[body];
+    return flight.position + time * (flight.velocity + 0.5 * time * input.gravity);
 }
 
 // Whether the boxes of two meet in this part of the frame.
@@ -95,9 +94,9 @@ bool FreeFlight::doBoxesMeet(const SolverInput& input, BodyIndex body, BodyIndex
 double FreeFlight::timeOfMeeting(const SolverInput& input, BodyIndex body, BodyIndex other) const {
     if (!has(other)) return timeOfMeetingUnmoved(input, body, other);
     const double h = input.substep;
-    const double meeting = firstWithin(m_start[other].position - m_start[body].position,
-                                       m_start[other].velocity - m_start[body].velocity, input.parts * h,
-                                       touching(input.bodies, body, other));
+    const Flight &from = m_flight[body], &to = m_flight[other];
+    const double meeting = firstWithin(to.position - from.position, to.velocity - from.velocity,
+                                       input.parts * h, touching(input.bodies, body, other));
     if (!(meeting < noMeeting)) return noMeeting;
     for (int part = static_cast<int>(meeting / h); part < input.parts; ++part)
         if (doBoxesMeet(input, body, other, part)) return std::max(meeting, part * h);
@@ -120,7 +119,8 @@ double FreeFlight::timeOfMeetingUnmoved(const SolverInput& input, BodyIndex body
         return firstWithin(place - input.state.pose[other].position, velocity, duration,
                            touching(input.bodies, body, other) + fallIn(input, duration));
     };
-    if (!(meetingOf(m_start[body].position, m_start[body].velocity, time) < noMeeting)) return noMeeting;
+    const Flight& flight = m_flight[body];
+    if (!(meetingOf(flight.position, flight.velocity, time) < noMeeting)) return noMeeting;
     for (int part = 0; part < input.parts; ++part) {
         const Vec3 place = placeIn(input, body, part), next = placeIn(input, body, part + 1);
         const double meeting = meetingOf(place, (next - place) / h, h);
@@ -134,15 +134,13 @@ void FreeFlight::choose(const SolverInput& input, std::span<const std::uint8_t> 
     m_bodies.clear();
     m_meeting.clear();
     m_struck.clear();
-    std::fill(m_turn.begin(), m_turn.end(), 0.0);
     std::fill(m_kind.begin(), m_kind.end(), Kind::Left);
-    for (const BodyIndex i : members) {
-        m_kind[i] = Kind::Member;
-        m_part[i] = -1;
-    }
-    if (!input.motion.isExactInFreeFall || !input.motion.isExactInFreeRotation) return;
+    const bool mayFly = input.motion.isExactInFreeFall && input.motion.isExactInFreeRotation;
     std::erase_if(members, [&](BodyIndex i) {
-        if (isOnSpring[i] != 0 || isPlaced[i] != 0 || input.bodies.forces.actOn(i)) return false;
+        if (!mayFly || isOnSpring[i] != 0 || isPlaced[i] != 0 || input.bodies.forces.actOn(i)) {
+            join(i);
+            return false;
+        }
         m_kind[i] = Kind::Flying;
         m_bodies.push_back(i);
         return true;
@@ -155,9 +153,8 @@ void FreeFlight::start(const SolverInput& input, Neighbours& neighbours, std::ve
     m_fall = fallIn(input, input.substep);
     const bool covered =
         neighbours.coversFlights(input.bodies, input.state, m_bodies, [&](BodyIndex i) -> Neighbours::Flight {
-            m_start[i] = {input.state.pose[i].position, input.state.velocity[i]};
-            m_turn[i] = isSphere(input.bodies, i) ? 0 : turnInFrame(input, i);
-            m_due[i] = noMeeting;
+            m_flight[i] = {input.state.pose[i].position, input.state.velocity[i], noMeeting,
+                           isSphere(input.bodies, i) ? 0 : turnInFrame(input, i)};
             return {roomOf(input, i), time, fall};
         });
     if (!covered) neighbours.search(input.bodies, input.state, input.broadphase);
@@ -166,20 +163,23 @@ void FreeFlight::start(const SolverInput& input, Neighbours& neighbours, std::ve
             for (const BodyIndex k : neighbours.around(i, time)) {
                 const bool fly = has(k);
                 if (m_kind[k] == Kind::Member || (fly && k < i)) continue;
-                if (sharedValue(m_due[i]) == 0 && (!fly || sharedValue(m_due[k]) == 0)) continue;
+                if (sharedValue(m_flight[i].due) == 0 && (!fly || sharedValue(m_flight[k].due) == 0))
+                    continue;
                 const double meeting = timeOfMeeting(input, i, k);
-                lowerTo(m_due[i], meeting);
-                if (fly) lowerTo(m_due[k], meeting);
+                lowerTo(m_flight[i].due, meeting);
+                if (fly) lowerTo(m_flight[k].due, meeting);
             }
     });
     m_meeting.clear();
     std::erase_if(m_bodies, [&](BodyIndex i) {
-        if (m_due[i] == noMeeting) return false;
-        if (m_due[i] != 0) {
+        const double due = m_flight[i].due;
+        if (due == noMeeting) return false;
+        if (due != 0) {
             m_meeting.push_back(i);
             return false;
         }
         m_kind[i] = Kind::Member;
+        m_landing[i] = {};
         landed.push_back(i);
         return true;
     });
@@ -189,13 +189,13 @@ void FreeFlight::advance(const SolverInput& input) {
     input.workers.forRanges(m_bodies.size(), fewMoved, [&](std::size_t begin, std::size_t end) {
         const double time = input.part * input.substep;
         const Vec3 gained = time * input.gravity, gainedInMean = 0.5 * time * input.gravity;
-        const Start* const starts = m_start.data();
+        const Flight* const flights = m_flight.data();
         Pose* const poses = input.state.pose.data();
         Vec3* const velocities = input.state.velocity.data();
         for (const BodyIndex i : std::span(m_bodies).subspan(begin, end - begin)) {
-            const Start& start = starts[i]; // placeIn(), where the time is the same for all
-            poses[i].position = start.position + time * (start.velocity + gainedInMean);
-            velocities[i] = start.velocity + gained;
+            const Flight& flight = flights[i]; // placeIn(), where the time is the same for all
+            poses[i].position = flight.position + time * (flight.velocity + gainedInMean);
+            velocities[i] = flight.velocity + gained;
         }
     });
 }
@@ -206,10 +206,9 @@ void FreeFlight::findDue(const SolverInput& input, std::vector<BodyIndex>& due) 
     m_struck.clear();
     const double start = input.part * input.substep, end = start + input.substep;
     for (const BodyIndex i : m_meeting) {
-        if (!has(i) || !(m_due[i] < end)) continue; // others may have been struck since
+        if (!has(i) || !(m_flight[i].due < end)) continue; // others may have been struck since
         m_kind[i] = Kind::Member;
-        m_part[i] = input.part;
-        m_time[i] = std::max(0.0, m_due[i] - start);
+        m_landing[i] = {std::max(0.0, m_flight[i].due - start), 0, input.part};
         due.push_back(i);
     }
     land(input, due);
@@ -251,7 +250,7 @@ void FreeFlight::coverStruck(const SolverInput& input, std::size_t begin, Neighb
 
 // How far a body may come in the substep once it is struck, its boxes included [m].
 double FreeFlight::roomAfter(const SolverInput& input, const Strike& by) const {
-    return by.speed * input.substep + m_turn[by.body] + leastRoom(input.bodies, by.body);
+    return by.speed * input.substep + m_flight[by.body].turn + leastRoom(input.bodies, by.body);
 }
 
 // Finds the bodies in flight that this one may strike after it has been struck, as if all strikes before it
@@ -297,18 +296,17 @@ void FreeFlight::take(const SolverInput& input, const Hit& hit, std::vector<Body
     const Strike& by = m_strikes[hit.strike];
     const BodyIndex k = hit.body;
     if (isOutdated(by) || isStruckBefore(k, by)) return;
-    const bool isStruck = m_kind[k] == Kind::Struck;
-    if (isStruck && m_time[k] <= hit.at && (1 + Neighbours::worthANewLook) * m_speed[k] >= hit.after) return;
-    if (!isStruck) {
+    Landing& landing = m_landing[k];
+    if (m_kind[k] != Kind::Struck) {
         m_kind[k] = Kind::Struck;
-        m_part[k] = input.part;
-        m_time[k] = hit.at;
-        m_speed[k] = hit.after;
+        landing = {hit.at, hit.after, input.part};
         met.push_back(k);
+    } else if (landing.time <= hit.at && (1 + Neighbours::worthANewLook) * landing.speed >= hit.after) {
+        return;
     }
-    m_time[k] = std::min(m_time[k], hit.at);
-    m_speed[k] = std::max(m_speed[k], hit.after);
-    m_strikes.push_back({k, m_time[k], m_speed[k]});
+    landing.time = std::min(landing.time, hit.at);
+    landing.speed = std::max(landing.speed, hit.after);
+    m_strikes.push_back({k, landing.time, landing.speed});
 }
 
 // Ends the flights of bodies that are members now.
@@ -323,8 +321,8 @@ void FreeFlight::land(const SolverInput& input, std::vector<BodyIndex>& landed) 
 void FreeFlight::finish(const SolverInput& input, int parts, std::span<const BodyIndex> landed) {
     if (parts == 0) return;
     for (const BodyIndex i : landed) {
-        input.state.pose[i].position = m_start[i].position;
-        input.state.velocity[i] = m_start[i].velocity;
+        input.state.pose[i].position = m_flight[i].position;
+        input.state.velocity[i] = m_flight[i].velocity;
     }
     m_coasting.move(input.lasting(parts), landed);
 }

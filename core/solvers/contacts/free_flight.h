@@ -65,13 +65,13 @@ class FreeFlight {
         if (!m_bodies.empty())
             for (const BodyIndex i : members)
                 if (m_kind[i] != Kind::Struck)
-                    m_strikes.push_back(
-                        {i, m_part[i] == input.part ? m_time[i] : 0, reachOf(i) / input.substep});
+                    m_strikes.push_back({i, m_landing[i].part == input.part ? m_landing[i].time : 0,
+                                         reachOf(i) / input.substep});
         strikeAll(input, neighbours, met);
     }
     /// These bodies slept, and are members from now on.
     void join(std::span<const BodyIndex> woken) {
-        for (const BodyIndex i : woken) m_kind[i] = Kind::Member;
+        for (const BodyIndex i : woken) join(i);
     }
     /// Ends all flights, after the last substep of a frame.
     void end(const SolverInput& input);
@@ -81,8 +81,19 @@ class FreeFlight {
   private:
     /// Left: immobile or asleep. Struck: a member that may have been struck in flight in this substep.
     enum class Kind : std::uint8_t { Left, Member, Struck, Flying };
-    struct Start {
+    /// Of what flies: where it was when the frame began, how fast, and when it meets something, of the frame;
+    /// and how far the surface may turn in the frame, 0 if it has not flown in it. Together in memory, as
+    /// whoever asks for one asks for most of it.
+    struct alignas(64) Flight {
         Vec3 position = Vec3::Zero(), velocity = Vec3::Zero(); // [m], [m/s]
+        double due = 0;                                        // [s]
+        double turn = 0;                                       // [m]
+    };
+    /// Of a member: the time at which its flight ended, and how fast its surface may then be if it has been
+    /// struck.
+    struct Landing {
+        double time = 0, speed = 0; // of the substep [s], [m/s]
+        int part = -1;              // the substep; -1 if it has not flown in this frame
     };
     /// A body that may be struck from `time` [s] of the substep on, and how fast its surface may then be.
     struct Strike {
@@ -95,6 +106,12 @@ class FreeFlight {
         BodyIndex body = 0;
         double at = 0, after = 0;
     };
+    /// It has not flown in this frame.
+    void join(BodyIndex member) {
+        m_kind[member] = Kind::Member;
+        m_flight[member].turn = 0;
+        m_landing[member] = {};
+    }
     double turnInFrame(const SolverInput& input, BodyIndex body) const;
     double roomOf(const SolverInput& input, BodyIndex body) const;
     Vec3 placeIn(const SolverInput& input, BodyIndex body, int part) const;
@@ -106,11 +123,12 @@ class FreeFlight {
     /// The body has been struck harder since this strike was noted, and another one stands for that.
     bool isOutdated(const Strike& by) const {
         return m_kind[by.body] == Kind::Struck &&
-               (by.time != m_time[by.body] || by.speed != m_speed[by.body]);
+               (by.time != m_landing[by.body].time || by.speed != m_landing[by.body].speed);
     }
     /// The body has been struck no later than this striker, and is no slower.
     bool isStruckBefore(BodyIndex body, const Strike& by) const {
-        return m_kind[body] == Kind::Struck && m_time[body] <= by.time && m_speed[body] >= by.speed;
+        return m_kind[body] == Kind::Struck && m_landing[body].time <= by.time &&
+               m_landing[body].speed >= by.speed;
     }
     void coverStruck(const SolverInput& input, std::size_t begin, Neighbours& neighbours);
     void findHits(const SolverInput& input, std::size_t number, const Neighbours& neighbours,
@@ -121,12 +139,8 @@ class FreeFlight {
 
     // By body.
     std::vector<Kind> m_kind;
-    std::vector<double> m_turn;  // how far its surface may turn in the frame; 0 if it has not flown in it [m]
-    std::vector<double> m_due;   // of those that fly: when they meet something, of the frame [s]
-    std::vector<int> m_part;     // of members: the part in which their flight ended, or -1
-    std::vector<double> m_time;  // and the time of that substep at which it did [s]
-    std::vector<double> m_speed; // of those that may have been struck [m/s]
-    std::vector<Start> m_start;  // of those that fly
+    std::vector<Flight> m_flight;
+    std::vector<Landing> m_landing;
 
     double m_fall = 0; // how far what flies comes by gravity in a substep [m]
     std::vector<BodyIndex> m_bodies;

@@ -55,20 +55,18 @@ bool areBoxesWithin(const Bodies& bodies, BodyPair pair, const Pose& a, const Po
 }
 
 Neighbours::Neighbours(const Bodies& bodies)
-    : m_number(bodies.count(), 0), m_boxes(bodies.bounded.size()), m_path(bodies.count(), 0.0),
-      m_pull(bodies.count(), 0.0), m_drift(bodies.count(), 0.0), m_moved(bodies.count(), 0.0),
-      m_room(bodies.count(), 0.0), m_skin(bodies.count(), -1.0), m_extent(bodies.count(), 0.0),
-      m_asked(bodies.count(), 0.0), m_askedLately(bodies.count(), 0.0),
-      m_orientation(bodies.count(), Quat::Identity()), m_course(bodies.count()), m_settled(bodies.count()),
-      m_isOutrun(bodies.count(), 0), m_around(bodies.count()) {
+    : m_number(bodies.count(), 0), m_boxes(bodies.bounded.size()), m_skin(bodies.count()),
+      m_extent(bodies.count(), 0.0), m_orientation(bodies.count(), Quat::Identity()),
+      m_course(bodies.count()), m_settled(bodies.count()), m_isOutrun(bodies.count(), 0),
+      m_around(bodies.count()) {
     for (const BodyIndex i : bodies.bounded) {
         m_number[i] = static_cast<std::uint32_t>(m_mobile.size());
         m_mobile.push_back(bodies.mobile[i]);
     }
     for (const BodyIndex i : bodies.bounded) {
         if (bodies.mobile[i] != 0) continue;
-        m_skin[i] = leastMargin * bodies.boundingRadius[i];
-        m_extent[i] = bodies.boundingRadius[i] + m_skin[i];
+        m_skin[i].width = leastMargin * bodies.boundingRadius[i];
+        m_extent[i] = bodies.boundingRadius[i] + m_skin[i].width;
     }
     for (const BodyIndex i : bodies.mobileBodies) m_around[i].reserve(usualAround);
     m_outrun.reserve(2 * bodies.count());
@@ -82,8 +80,7 @@ void Neighbours::update(const Bodies& bodies, const State& state, const Followed
     // A neighbour may need a larger skin of a body than the body itself: a skin that was asked for will be
     // asked for again.
     const auto renew = [this](BodyIndex i) {
-        m_room[i] = roominess * m_asked[i];
-        m_asked[i] = 0;
+        m_skin[i].room = roominess * std::exchange(m_skin[i].asked, 0);
     };
     if (areFewOutrun(bodies)) {
         for (const BodyIndex i : m_outrun) renew(i);
@@ -100,11 +97,12 @@ void Neighbours::narrow(const Bodies& bodies, std::span<const BodyIndex> list) {
     m_narrowed = m_now;
     for (const BodyIndex i : list) {
         const double least = leastMargin * bodies.boundingRadius[i];
-        if (m_skin[i] > tooWide * (roominess * std::max(m_askedLately[i], least) + m_drift[i])) {
-            m_asked[i] = m_askedLately[i];
+        Skin& skin = m_skin[i];
+        if (skin.width > tooWide * (roominess * std::max(skin.askedLately, least) + skin.drift)) {
+            skin.asked = skin.askedLately;
             m_outrun.push_back(i);
         }
-        m_askedLately[i] = 0;
+        skin.askedLately = 0;
     }
 }
 
@@ -119,9 +117,9 @@ double Neighbours::surfaceSpeed(const Bodies& bodies, const State& state, BodyIn
 // they move without it. Force terms give their own bound.
 void Neighbours::notePulls(const Bodies& bodies, const State& state, double duration) {
     if (bodies.springs.empty() && bodies.forces.empty()) return;
-    std::fill(m_pull.begin(), m_pull.end(), 0.0);
+    for (Skin& skin : m_skin) skin.pull = 0;
     if (!bodies.forces.empty())
-        for (const BodyIndex i : bodies.mobileBodies) m_pull[i] = bodies.forces.reach(i, duration);
+        for (const BodyIndex i : bodies.mobileBodies) m_skin[i].pull = bodies.forces.reach(i, duration);
     for (const SpringForce& spring : bodies.springs) {
         const SpringPoint from = springPoint(state, spring.from, spring.fromAt),
                           to = springPoint(state, spring.to, spring.toAt);
@@ -136,7 +134,7 @@ void Neighbours::notePulls(const Bodies& bodies, const State& state, double dura
             const double amplitude = phase > 1 ? stretch - way + way / phase : stretch;
             const double more = std::min(0.5 * phase * phase * stretch, 2 * amplitude) +
                                 way * std::min(1.0, duration * spring.damping * compliance);
-            m_pull[i] += std::isfinite(more) ? more : 0; // a step with such values is stopped anyway
+            m_skin[i].pull += std::isfinite(more) ? more : 0; // a step with such values is stopped anyway
         };
         pull(spring.from, spring.fromAt.norm());
         pull(spring.to, spring.toAt.norm());
@@ -152,12 +150,13 @@ bool Neighbours::follow(const Bodies& bodies, const State& state, std::span<cons
     serveAll(list, [&](BodyIndex i) {
         const double radius = bodies.boundingRadius[i];
         const double turns = turnIn(bodies, state, i, duration);
-        m_path[i] = state.velocity[i].norm() * duration + turns + fall + m_pull[i];
-        m_drift[i] = turnIn(bodies, state, i, m_frame) + fallInFrame + m_pull[i] * times * times;
-        m_moved[i] = movedFrom(bodies, state, i);
+        Skin& skin = m_skin[i];
+        skin.path = state.velocity[i].norm() * duration + turns + fall + skin.pull;
+        skin.drift = turnIn(bodies, state, i, m_frame) + fallInFrame + skin.pull * times * times;
+        skin.moved = movedFrom(bodies, state, i);
         const double leaves =
-            (state.velocity[i] - m_course[i].velocityAt(m_now)).norm() * duration + turns + fall + m_pull[i];
-        return m_moved[i] + leaves + leastMargin * radius <= m_skin[i];
+            (state.velocity[i] - m_course[i].velocityAt(m_now)).norm() * duration + turns + fall + skin.pull;
+        return skin.moved + leaves + leastMargin * radius <= skin.width;
     });
     return m_outrun.empty() && !m_isForgotten;
 }
@@ -165,8 +164,8 @@ bool Neighbours::follow(const Bodies& bodies, const State& state, std::span<cons
 void Neighbours::stay(std::span<const BodyIndex> list) {
     for (const BodyIndex i : list)
         if (m_course[i].velocityAt(m_now) != Vec3::Zero() ||
-            m_skin[i] > tooWide * roominess * leastMargin * (m_extent[i] - m_skin[i])) {
-            m_asked[i] = 0;
+            m_skin[i].width > tooWide * roominess * leastMargin * (m_extent[i] - m_skin[i].width)) {
+            m_skin[i].asked = 0;
             m_outrun.push_back(i);
         }
 }
@@ -178,7 +177,7 @@ void Neighbours::forget() {
 }
 
 void Neighbours::noteMoved(const Bodies& bodies, const State& state, BodyIndex body) {
-    m_moved[body] = movedFrom(bodies, state, body);
+    m_skin[body].moved = movedFrom(bodies, state, body);
 }
 
 bool Neighbours::coversAhead(BodyIndex body, double room) {
@@ -189,15 +188,16 @@ bool Neighbours::servesFlight(const Bodies& bodies, const State& state, BodyInde
                               const Flight& flight) {
     const auto [room, time, fall] = flight;
     const Course& course = m_course[body];
+    Skin& skin = m_skin[body];
     noteMoved(bodies, state, body);
-    m_drift[body] = turnIn(bodies, state, body, m_frame) + fall;
+    skin.drift = turnIn(bodies, state, body, m_frame) + fall;
     const double leaves = time * (state.velocity[body] - course.velocityAt(m_now)).norm() + fall;
     // By gravity alone it is so far from its course in the end.
     const double since = std::min(m_now - course.begins, framesOfCourse * m_frame) / time + 1;
     const double fallen = since * since * fall;
     ask(body, room + fallen);
-    if (m_now + time <= course.ends && m_moved[body] + leaves + room <= m_skin[body]) return true;
-    m_room[body] = std::max(m_room[body], roominess * (room + fallen));
+    if (m_now + time <= course.ends && skin.moved + leaves + room <= skin.width) return true;
+    skin.room = std::max(skin.room, roominess * (room + fallen));
     return false;
 }
 
@@ -214,15 +214,16 @@ bool Neighbours::areFewOutrun(const Bodies& bodies) const {
 }
 
 void Neighbours::renewSkin(const Bodies& bodies, const State& state, BodyIndex body) {
-    m_room[body] = std::max(m_room[body], roominess * leastMargin * bodies.boundingRadius[body]);
-    m_skin[body] = m_room[body] + m_drift[body];
-    m_extent[body] = bodies.boundingRadius[body] + m_skin[body];
-    m_moved[body] = 0;
+    Skin& skin = m_skin[body];
+    skin.room = std::max(skin.room, roominess * leastMargin * bodies.boundingRadius[body]);
+    skin.width = skin.room + skin.drift;
+    m_extent[body] = bodies.boundingRadius[body] + skin.width;
+    skin.moved = 0;
     const double horizon = framesOfCourse * m_frame;
     m_orientation[body] = state.pose[body].orientation;
     m_course[body] = {state.pose[body].position, state.velocity[body], m_now, m_now + horizon};
     m_boxes[m_number[body]] =
-        swept(grown(bodies.boxAt(body, state.pose[body]), m_skin[body]), horizon * state.velocity[body]);
+        swept(grown(bodies.boxAt(body, state.pose[body]), skin.width), horizon * state.velocity[body]);
 }
 
 void Neighbours::Finds::clear() {
@@ -345,7 +346,7 @@ void Neighbours::searchAll(const Bodies& bodies, const State& state, Broadphase&
         for (const BodyIndex i : bodies.bounded)
             if (bodies.mobile[i] == 0) {
                 m_course[i].place = state.pose[i].position;
-                m_boxes[m_number[i]] = grown(bodies.boxAt(i, state.pose[i]), m_skin[i]);
+                m_boxes[m_number[i]] = grown(bodies.boxAt(i, state.pose[i]), m_skin[i].width);
             }
     broadphase.update({m_boxes, bodies.bounded, m_mobile, m_workers});
     findWallPairs(bodies);

@@ -104,7 +104,7 @@ class Neighbours {
     const SettledBodies& settled() const { return m_settled; }
     /// Whether a body that nothing moves may settle.
     bool maySettle(BodyIndex body) const {
-        return m_course[body].velocityAt(m_now) == Vec3::Zero() && m_pull[body] == 0;
+        return m_course[body].velocityAt(m_now) == Vec3::Zero() && m_skin[body].pull == 0;
     }
     /// The same for some of the bodies, while the others go on as they did when noted last. False if one of
     /// them may leave its skin: search() must be called.
@@ -170,19 +170,19 @@ class Neighbours {
     }
 
     /// How far a body's surface can move in the last given duration [m].
-    double reach(BodyIndex body) const { return reachFactor * m_path[body]; }
+    double reach(BodyIndex body) const { return reachFactor * m_skin[body].path; }
     /// How far springs and force terms move it at most [m] in the last given duration, or in a longer `time`
     /// [s].
     double pull(BodyIndex body, double time) const {
         const double times = durationsIn(time);
-        return m_pull[body] * times * times;
+        return m_skin[body].pull * times * times;
     }
 
     /// How far two bodies can come nearer in the last given duration, at most [m].
     double approach(const Bodies& bodies, const State& state, BodyIndex a, BodyIndex b) const {
         return (state.velocity[a] - state.velocity[b]).norm() * m_duration +
-               turnIn(bodies, state, a, m_duration) + turnIn(bodies, state, b, m_duration) + m_pull[a] +
-               m_pull[b];
+               turnIn(bodies, state, a, m_duration) + turnIn(bodies, state, b, m_duration) + m_skin[a].pull +
+               m_skin[b].pull;
     }
     /// Where strikes spread, a body is looked at again only if it may be faster by more than this part than
     /// it was. At twice, a strike may be taken to reach less far than it does; at half, bodies are looked at
@@ -237,17 +237,30 @@ class Neighbours {
     /// Bodies that one thread looks at, at least.
     static constexpr std::size_t fewServed = Workers::enoughOf(50);
 
+    /// How far a body is from its course, and may be [m]: together in memory, as a substep asks for most of
+    /// it.
+    struct alignas(64) Skin {
+        double width = -1;
+        double room = 0;        ///< what the next one is to hold besides the drift
+        double moved = 0;       ///< at most so far it is now from where the list found it
+        double path = 0;        ///< how far it comes if nothing hits it
+        double pull = 0;        ///< how much further springs and force terms take it
+        double drift = 0;       ///< how far it leaves its course in a frame, if nothing hits it
+        double asked = 0;       ///< the most room covers() was asked for since it was made
+        double askedLately = 0; ///< the same since narrow() looked last
+    };
     Meetings meetingsOfSkins() const { return {m_course.data(), m_extent.data(), m_now}; }
     bool comesNear(const Bodies& bodies, BodyIndex body, BodyIndex wall) const;
     void ask(BodyIndex body, double room) {
-        m_asked[body] = std::max(m_asked[body], room);
-        m_askedLately[body] = std::max(m_askedLately[body], room);
+        Skin& skin = m_skin[body];
+        skin.asked = std::max(skin.asked, room);
+        skin.askedLately = std::max(skin.askedLately, room);
     }
     /// What covers() does, but for noting the body.
     bool serves(BodyIndex body, double room) {
         ask(body, room);
-        if (m_moved[body] + room <= m_skin[body]) return true;
-        m_room[body] = roominess * room; // so much has its skin after the next search
+        if (m_skin[body].moved + room <= m_skin[body].width) return true;
+        m_skin[body].room = roominess * room; // so much has its skin after the next search
         return false;
     }
     bool servesFlight(const Bodies& bodies, const State& state, BodyIndex body, const Flight& flight);
@@ -307,21 +320,14 @@ class Neighbours {
     std::vector<std::uint8_t> m_mobile;  // of bodies.bounded
     std::vector<std::uint32_t> m_number; // by body: its place in bodies.bounded
     std::vector<Aabb> m_boxes;           // of bodies.bounded
-    std::vector<double> m_path;          // by body: how far it comes if nothing hits it [m]
-    std::vector<double> m_pull;          // by body: how much further springs and force terms take it [m]
-    std::vector<double> m_drift;  // by body: how far it leaves its course in a frame, if nothing hits it [m]
-    std::vector<double> m_moved;  // by body: at most so far from where the list found it [m]
-    std::vector<double> m_room;   // by body: what its skin is to hold besides the drift [m]
-    std::vector<double> m_skin;   // by body [m]
-    std::vector<double> m_extent; // by body: the radius of its bounding ball and its skin [m]
-    std::vector<double> m_asked;  // by body: the most room covers() was asked for since its skin was made [m]
-    std::vector<double> m_askedLately; // by body: the same since narrow() looked last [m]
-    std::vector<Quat> m_orientation;   // by body: when the list found it
-    std::vector<Course> m_course;      // by body, from where the list found it
-    double m_now = 0;                  // [s]
-    double m_frame = 0;                // [s]
-    double m_narrowed = 0;             // when narrow() looked last [s]
-    double m_duration = 1;             // noted last [s]
+    std::vector<Skin> m_skin;            // by body
+    std::vector<double> m_extent;        // by body: the radius of its bounding ball and its skin [m]
+    std::vector<Quat> m_orientation;     // by body: when the list found it
+    std::vector<Course> m_course;        // by body, from where the list found it
+    double m_now = 0;                    // [s]
+    double m_frame = 0;                  // [s]
+    double m_narrowed = 0;               // when narrow() looked last [s]
+    double m_duration = 1;               // noted last [s]
     std::uint64_t m_searches = 0;
     bool m_isForgotten = false;
     SettledBodies m_settled;
