@@ -347,6 +347,7 @@ LanePacker::Place ContactRows::add(const PairInput& pair, std::uint32_t source,
 }
 
 RollingRow* ContactRows::rollingOf(std::uint32_t group, std::uint32_t lane) {
+    if (m_rolling.empty()) return nullptr;
     m_rollingOf.resize(wideLanes * m_groups.size(), noPair);
     for (; m_rollingNoted < m_rolling.size(); ++m_rollingNoted) {
         const RollingRow& row = m_rolling[m_rollingNoted];

@@ -99,7 +99,7 @@ void shareOut(const ManifoldInput& input, BodyPair pair, std::span<const Carried
               const Vec3& normal, std::span<CarriedPoint> fresh) {
     Tangents across = tangentsOf(normal);
     if (!isWall(input.bodies.shape[pair.b])) {
-        const Pose& pose = input.state.pose[pair.b];
+        const Pose& pose = input.pose(pair.b);
         across = {pose.directionToBody(across.first), pose.directionToBody(across.second)};
     }
     shareOut(old, normal, across, smallerSize(input.bodies, pair), fresh);

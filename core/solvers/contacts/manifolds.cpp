@@ -20,13 +20,13 @@ namespace carom {
 namespace {
 
 /// Orientation of B in the frame of A.
-CAROM_INLINE Quat relativeOrientation(const State& state, BodyPair pair) {
-    return state.pose[pair.a].orientation.conjugate() * state.pose[pair.b].orientation;
+CAROM_INLINE Quat relativeOrientation(const ManifoldInput& input, BodyPair pair) {
+    return input.pose(pair.a).orientation.conjugate() * input.pose(pair.b).orientation;
 }
 
 /// Pose of B in the frame of A.
-Pose relativePose(const State& state, BodyPair pair) {
-    return {state.pose[pair.a].toBody(state.pose[pair.b].position), relativeOrientation(state, pair)};
+Pose relativePose(const ManifoldInput& input, BodyPair pair) {
+    return {input.pose(pair.a).toBody(input.pose(pair.b).position), relativeOrientation(input, pair)};
 }
 
 bool isKept(const PersistentManifold& manifold, const Pose& now, double size) {
@@ -103,7 +103,7 @@ struct ClosestApproach {
 
 ClosestApproach closestApproachOf(const ManifoldInput& input, BodyPair pair, double radii) {
     const State& state = input.state;
-    const Vec3 between = state.pose[pair.b].position - state.pose[pair.a].position;
+    const Vec3 between = input.pose(pair.b).position - input.pose(pair.a).position;
     Vec3 velocity = state.velocity[pair.b] - state.velocity[pair.a];
     if (input.bodies.mobile[pair.a] == 0 || input.bodies.mobile[pair.b] == 0)
         velocity += (input.bodies.mobile[pair.b] != 0 ? 0.5 : -0.5) * input.duration * input.gravity;
@@ -132,18 +132,18 @@ void foresee(const ManifoldInput& input, BodyPair pair, double& separation, Vec3
     const double distance = approach.between.norm();
     if (!(distance > 0)) return;
     normal = approach.between / distance;
-    separation = normal.dot(input.state.pose[pair.b].position - input.state.pose[pair.a].position) - radii;
+    separation = normal.dot(input.pose(pair.b).position - input.pose(pair.a).position) - radii;
 }
 
 Solids solidsOf(const ManifoldInput& input, BodyPair pair) {
-    const Pose &poseA = input.state.pose[pair.a], &poseB = input.state.pose[pair.b];
+    const Pose &poseA = input.pose(pair.a), &poseB = input.pose(pair.b);
     return {solidOf({&input.bodies.shape[pair.a], &poseA}, poseA.position),
             solidOf({&input.bodies.shape[pair.b], &poseB}, poseA.position)};
 }
 
 void collideNow(const ManifoldInput& input, BodyPair pair, double margin, Manifold& found) {
-    collide({&input.bodies.shape[pair.a], &input.state.pose[pair.a]},
-            {&input.bodies.shape[pair.b], &input.state.pose[pair.b]}, margin, found);
+    collide({&input.bodies.shape[pair.a], &input.pose(pair.a)},
+            {&input.bodies.shape[pair.b], &input.pose(pair.b)}, margin, found);
 }
 
 using OldPoints = FixedList<Point, manifoldPoints>;
@@ -159,8 +159,8 @@ CAROM_WIDE void findPoints(const ManifoldInput& input, double margin, const Soli
         manifold.source = {};
         collideNow(input, pair, margin, found);
         for (ContactPoint& point : std::span(found.points).first(static_cast<std::size_t>(found.count))) {
-            point.onA -= input.state.pose[pair.a].position;
-            point.onB -= input.state.pose[pair.a].position;
+            point.onA -= input.pose(pair.a).position;
+            point.onB -= input.pose(pair.a).position;
         }
     }
     reduce(found);
@@ -200,8 +200,8 @@ void setRound(const ManifoldInput& input, const Manifold& found, const Vec3& for
         point.onA = input.bodies.boundingRadius[pair.a] * normal;
         point.onB = -input.bodies.boundingRadius[pair.b] * normal;
     } else {
-        point.onA = found.points[0].onA - input.state.pose[pair.a].position;
-        point.onB = found.points[0].onB - input.state.pose[pair.b].position;
+        point.onA = found.points[0].onA - input.pose(pair.a).position;
+        point.onB = found.points[0].onB - input.pose(pair.b).position;
     }
     point.force = manifold.open ? Vec3(Vec3::Zero()) : force;
     if (manifold.open) manifold.torque.setZero();
@@ -224,7 +224,7 @@ CAROM_WIDE void findPoints(const ManifoldInput& input, double margin, Persistent
     }
     if (manifold.round)
         return setRound(input, found, old.size() > 0 ? old[0].force : Vec3(Vec3::Zero()), manifold);
-    const Pose &poseA = input.state.pose[pair.a], &poseB = input.state.pose[pair.b];
+    const Pose &poseA = input.pose(pair.a), &poseB = input.pose(pair.b);
     const bool wallA = isWall(input.bodies.shape[pair.a]);
     manifold.normal = wallA ? poseB.directionToBody(found.normal) : poseA.directionToBody(found.normal);
     for (std::size_t k = 0; k < static_cast<std::size_t>(found.count); ++k)
@@ -267,11 +267,11 @@ bool staysApart(const ManifoldInput& input, BodyPair pair, double gap, const Vec
 // is open.
 bool openByBalls(const ManifoldInput& input, PersistentManifold& manifold) {
     const auto [a, b] = manifold.pair;
-    const Vec3 between = input.state.pose[b].position - input.state.pose[a].position;
-    const double gap = boundingGap(input.bodies, input.state, manifold.pair);
+    const Vec3 between = input.pose(b).position - input.pose(a).position;
+    const double gap = boundingGap(input.bodies, manifold.pair, input.pose(a), input.pose(b));
     if (!(gap > 0) || canMeet(input, manifold.pair, gap)) return false;
     manifold.hasNormal = manifold.open = true;
-    manifold.normal = input.state.pose[a].directionToBody(between.normalized());
+    manifold.normal = input.pose(a).directionToBody(between.normalized());
     manifold.gap = gap;
     return true;
 }
@@ -330,7 +330,7 @@ CAROM_WIDE bool updateSolids(const ManifoldInput& input, double margin, Persiste
             return false;
         }
     }
-    const Quat now = relativeOrientation(input.state, pair);
+    const Quat now = relativeOrientation(input, pair);
     if (manifold.count > 0 && holds(solids, manifold, now, smallerSize(input.bodies, pair))) return false;
     manifold.orientation = now;
     findPoints(input, margin, solids, manifold);
@@ -345,7 +345,7 @@ bool updateManifold(const ManifoldInput& input, double margin, PersistentManifol
     if (haveCores(input.bodies.shape[pair.a], input.bodies.shape[pair.b]))
         return updateSolids(input, margin, manifold);
     const bool isRound = isSphere(input.bodies, pair.a) || isSphere(input.bodies, pair.b);
-    const Pose now = isRound ? Pose() : relativePose(input.state, pair);
+    const Pose now = isRound ? Pose() : relativePose(input, pair);
     if (!isRound && manifold.count > 0 && isKept(manifold, now, smallerSize(input.bodies, pair)))
         return false;
     manifold.position = now.position;
@@ -357,10 +357,10 @@ bool updateManifold(const ManifoldInput& input, double margin, PersistentManifol
 bool closeManifold(const ManifoldInput& input, double margin, PersistentManifold& manifold) {
     const BodyPair pair = manifold.pair;
     if (haveCores(input.bodies.shape[pair.a], input.bodies.shape[pair.b])) {
-        manifold.orientation = relativeOrientation(input.state, pair);
+        manifold.orientation = relativeOrientation(input, pair);
         findPoints(input, margin, solidsOf(input, pair), manifold);
     } else {
-        const Pose now = relativePose(input.state, pair);
+        const Pose now = relativePose(input, pair);
         manifold.position = now.position;
         manifold.orientation = now.orientation;
         findPoints(input, margin, manifold);
@@ -370,8 +370,8 @@ bool closeManifold(const ManifoldInput& input, double margin, PersistentManifold
 }
 
 double gapAlong(const ManifoldInput& input, BodyPair pair, const Vec3& normal) {
-    const PlacedShape a{&input.bodies.shape[pair.a], &input.state.pose[pair.a]},
-        b{&input.bodies.shape[pair.b], &input.state.pose[pair.b]};
+    const PlacedShape a{&input.bodies.shape[pair.a], &input.pose(pair.a)},
+        b{&input.bodies.shape[pair.b], &input.pose(pair.b)};
     if (const Wall* wall = std::get_if<Wall>(a.shape))
         return distanceTo(*wall, b.pose->position) - extentOf(b, wall->normal);
     if (const Wall* wall = std::get_if<Wall>(b.shape))
@@ -392,7 +392,7 @@ Vec3 normalOf(const ManifoldInput& input, const PersistentManifold& manifold) {
     const std::vector<Shape>& shape = input.bodies.shape;
     if (isWall(shape[a])) return std::get<Wall>(shape[a]).normal;
     if (isWall(shape[b])) return -std::get<Wall>(shape[b]).normal;
-    return input.state.pose[a].directionToWorld(manifold.normal);
+    return input.pose(a).directionToWorld(manifold.normal);
 }
 
 CAROM_WIDE NearPoints nearPoints(const ManifoldInput& input, const PersistentManifold& manifold,
@@ -400,7 +400,7 @@ CAROM_WIDE NearPoints nearPoints(const ManifoldInput& input, const PersistentMan
     const unsigned count = static_cast<unsigned>(manifold.count), all = (1U << count) - 1;
     if (manifold.round || count == 1) return {.bits = all};
     const auto [a, b] = manifold.pair;
-    const Pose &poseA = input.state.pose[a], &poseB = input.state.pose[b];
+    const Pose &poseA = input.pose(a), &poseB = input.pose(b);
     const bool haveCores = carom::haveCores(input.bodies.shape[a], input.bodies.shape[b]);
     const Vec3 inA = haveCores ? manifold.normal : poseA.directionToBody(normal),
                inB = haveCores ? manifold.normalInB : poseB.directionToBody(normal);
@@ -421,7 +421,7 @@ CAROM_WIDE NearPoints nearPoints(const ManifoldInput& input, const PersistentMan
 PlacedManifold placed(const ManifoldInput& input, const PersistentManifold& manifold) {
     const Bodies& bodies = input.bodies;
     const auto [a, b] = manifold.pair;
-    const Pose &poseA = input.state.pose[a], &poseB = input.state.pose[b];
+    const Pose &poseA = input.pose(a), &poseB = input.pose(b);
     PlacedManifold result;
     result.count = manifold.count;
     result.normal = normalOf(input, manifold);
@@ -459,7 +459,7 @@ void appendTo(ContactSet& set, const ManifoldInput& input, const ContactPair& pa
     set.pairs.back().count = static_cast<std::uint32_t>(here.count);
     const Tangents tangents = tangentsOf(here.normal);
     const bool anchorA = isWall(input.bodies.shape[pair.b]);
-    const Pose& anchorPose = input.state.pose[anchorA ? pair.a : pair.b];
+    const Pose& anchorPose = input.pose(anchorA ? pair.a : pair.b);
     double load = 0; // rolling torques are shared like the load [N]
     for (const PointInput& from : std::span(here.points).first(static_cast<std::size_t>(here.count)))
         load += here.normal.dot(from.impulse);
@@ -473,8 +473,8 @@ void appendTo(ContactSet& set, const ManifoldInput& input, const ContactPair& pa
         to.armB = from.armB;
         to.separation = from.separation;
         const bool movesB = input.bodies.mobile[pair.b] != 0;
-        const Vec3 point = movesB ? Vec3(input.state.pose[pair.b].position + from.armB)
-                                  : Vec3(input.state.pose[pair.a].position + from.armA);
+        const Vec3 point = movesB ? Vec3(input.pose(pair.b).position + from.armB)
+                                  : Vec3(input.pose(pair.a).position + from.armA);
         to.anchor = anchorPose.toBody(point);
         to.force = to.frame * from.impulse;
         if (load > 0) to.rollingTorque = to.force.x() / load * (to.frame.bottomRows<2>() * here.torque);
@@ -488,7 +488,7 @@ PersistentManifold manifoldOf(const ManifoldInput& input, const ContactPair& pai
     manifold.round = isSphere(input.bodies, pair.a) || isSphere(input.bodies, pair.b);
     // With this position the points cannot be kept: they are found anew, and take over the forces.
     manifold.position = Vec3::Constant(std::numeric_limits<double>::infinity());
-    const Pose &poseA = input.state.pose[pair.a], &poseB = input.state.pose[pair.b];
+    const Pose &poseA = input.pose(pair.a), &poseB = input.pose(pair.b);
     const bool movesB = input.bodies.mobile[pair.b] != 0;
     std::array<Point, Manifold::capacity> all;
     ASSERT(points.size() <= all.size());

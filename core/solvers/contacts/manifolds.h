@@ -90,11 +90,24 @@ struct PlacedManifold {
     Vec3 torque = Vec3::Zero();                    ///< of rolling resistance, on B [N m]
 };
 
+/// Where two bodies are seen, if not where the state has them.
+struct PosesOfPair {
+    BodyPair pair;
+    std::array<Pose, 2> poses;
+
+    const Pose& of(BodyIndex body) const { return poses[body == pair.a ? 0 : 1]; }
+};
+
 struct ManifoldInput {
     const Bodies& bodies;
     const State& state;
-    Vec3 gravity;        ///< [m/s²]
-    double duration = 0; ///< of the substep [s]
+    Vec3 gravity;                           ///< [m/s²]
+    double duration = 0;                    ///< of the substep [s]
+    const PosesOfPair* elsewhere = nullptr; ///< of the pair that is asked for
+
+    const Pose& pose(BodyIndex body) const {
+        return elsewhere == nullptr ? state.pose[body] : elsewhere->of(body);
+    }
 };
 
 /// The size of the smaller body of a pair, or of the one that is no wall [m].

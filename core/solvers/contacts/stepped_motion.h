@@ -215,6 +215,33 @@ class SteppedMotion {
         Displacement moved;
         Vec3 shift = Vec3::Zero(), turn = Vec3::Zero(); ///< in the step [m], [rad]
     };
+    /// A pair with rows whose contact is to be found ahead: to be added to its rows, or in their place.
+    struct AheadTask {
+        LanePacker::Place place;
+        bool adds = false;
+    };
+    /// Where the bodies of such a pair are moved to, and how far they have come since the look then.
+    struct AheadPair {
+        PosesOfPair at;
+        std::array<Displacement, 2> moved;
+    };
+    /// A contact that was found ahead and needs rows of its own.
+    struct AheadContact {
+        AheadTask task;
+        PlacedManifold contact;
+    };
+    /// What one thread finds ahead.
+    struct AheadFinds {
+        std::vector<AheadContact> toAdd;
+        std::size_t collided = 0;
+        bool anyEmpty = false; ///< some pair has rows without points
+
+        void clear() {
+            toAdd.clear();
+            collided = 0;
+            anyEmpty = false;
+        }
+    };
     /// How far a body moves until the end of a step, from its pose at the look.
     struct alignas(32) Coming {
         std::array<double, 3> shift{}; ///< [m]
@@ -236,6 +263,8 @@ class SteppedMotion {
                    Manifolds& manifolds, SteppedReport& report);
     BodyFrame frameOf(const ManifoldInput& here, const Framed& framed) const;
     PlacedManifold placedAtLook(const ManifoldInput& here, const PersistentManifold& manifold) const;
+    static PlacedManifold placedAtLook(const ManifoldInput& here, const PersistentManifold& manifold,
+                                       const std::array<Displacement, 2>& moved);
     PairInput rowOf(const Bodies& bodies, std::uint32_t entry, const PlacedManifold& contact);
     void addRows(const ManifoldInput& here, Manifolds& manifolds, Workers& workers);
     PairInput rowOf(const Bodies& bodies, const Placed& placed, const PersistentManifold& manifold);
@@ -264,16 +293,20 @@ class SteppedMotion {
     bool addStruck(const SteppedInput& input, double duration, Manifolds& manifolds, SteppedReport& report);
     std::size_t points() { return wideLanes * (m_rows.points().size() + m_pairs.balls().activeGroups()); }
     void foreseeTurned(const SteppedInput& input, double duration);
-    void foreseeTurned(const SteppedInput& input, double duration, std::uint32_t number);
-    void moveAhead(const SteppedInput& input, const Foreseen& body, double part);
+    void foreseeTurned(const SteppedInput& input, double duration, std::span<const std::uint32_t> list,
+                       std::vector<Foreseen>& foreseen);
+    void foreseeTurned(const SteppedInput& input, double duration, std::uint32_t number,
+                       std::vector<Foreseen>& foreseen);
+    static void moveAhead(const Foreseen& body, double part, Pose& pose, Displacement& moved);
     bool lookAhead(const SteppedInput& input, double duration, Manifolds& manifolds, SteppedReport& report,
                    bool isSolved);
+    void listAhead(bool isSolved);
     void removeAdded(bool hasRebounded);
-    bool moveToNearest(const SteppedInput& input, const ManifoldInput& there,
-                       const std::array<std::uint32_t, 2>& numbers, BodyPair pair, const Vec3& normal);
+    bool moveToNearest(const ManifoldInput& there, const std::array<std::uint32_t, 2>& numbers,
+                       const Vec3& normal, AheadPair& ahead) const;
     double surfaceSpeed(const Bodies& bodies, std::uint32_t number) const;
-    bool findAnew(const SteppedInput& input, const ManifoldInput& there, std::uint32_t group,
-                  std::uint32_t lane, Manifolds& manifolds, bool adds);
+    void findAnew(const ManifoldInput& here, const AheadTask& task, Manifolds& manifolds, AheadFinds& finds);
+    void addAhead(const SteppedInput& input, const ManifoldInput& there, const AheadContact& ahead);
     void sweep(const StepSettings& settings, Workers& workers, SteppedReport& report);
     void step(const SteppedInput& input, double duration, Manifolds& manifolds, SteppedReport& report);
     void limitEnergy(const StepSettings& settings, Workers& workers, bool corrects);
@@ -345,7 +378,10 @@ class SteppedMotion {
     Scratch<std::vector<Foreseen>> m_foreseen;       // ascending
     Scratch<std::vector<LanePacker::Place>> m_addedRows; // for the rest of a step
     Scratch<std::vector<std::uint32_t>> m_changedGroups; // of rows, by looking ahead
-    bool m_hasEmptyRows = false;                         // pairs have rows without points
+    Scratch<std::vector<AheadTask>> m_ahead;             // ascending
+    Scratch<std::vector<std::size_t>> m_aheadGroups;     // the first of m_ahead of every group that has any
+    Scratch<std::vector<AheadFinds>> m_aheadFinds;
+    bool m_hasEmptyRows = false;                 // pairs have rows without points
     Scratch<std::vector<double>> m_gained;       // by part: about twice the energy that contacts give [J]
     Scratch<std::vector<double>> m_gains;        // the same by body that does not stand still
     Scratch<EnergyLimit> m_stepEnergy, m_energy; // of the step, and of the rebound

@@ -30,6 +30,9 @@ constexpr double mostTimes = 16;
 /// at twice, one more of 3,600 thin bodies passes through a plate that it strikes.
 constexpr double mostSunk = 0.25;
 
+/// Groups of rows whose contacts one thread finds ahead, at least.
+constexpr std::size_t fewAhead = Workers::enoughOf(2000);
+
 bool beginsImpact(const RowPoint& row, std::size_t lane) { return row.approach[lane] > 0; }
 bool tookImpact(const RowPoint& row, std::size_t lane) {
     return row.approach[lane] > 0 && row.normal[lane] > 0;
@@ -65,10 +68,23 @@ void recordLate(ContactRows& rows, const LanePacker::Place& place, std::span<con
 
 // Marks the bodies that will have turned, at the end of a step, so far since their contacts were found that
 // these are elsewhere. Where a cylinder turns about its axis, its surface stays where it is.
-CAROM_WIDE void SteppedMotion::foreseeTurned(const SteppedInput& input, double duration) {
+void SteppedMotion::foreseeTurned(const SteppedInput& input, double duration) {
     m_foreseen.clear();
-    m_hasTurned.assign(m_islands.numbers(), 0);
     const std::span<const std::uint32_t> list = m_bodies.moving().paired;
+    input.workers.forLists(list.size(), fewAwake, static_cast<std::vector<Foreseen>&>(m_foreseen),
+                           [&](std::size_t begin, std::size_t end, std::vector<Foreseen>& foreseen) {
+                               foreseeTurned(input, duration, list.subspan(begin, end - begin), foreseen);
+                           });
+    m_hasTurned.assign(m_islands.numbers(), 0);
+    for (const Foreseen& body : m_foreseen) {
+        m_hasTurned[body.number] = 1;
+        m_bodies.noteFar(body.number);
+    }
+}
+
+CAROM_WIDE void SteppedMotion::foreseeTurned(const SteppedInput& input, double duration,
+                                             std::span<const std::uint32_t> list,
+                                             std::vector<Foreseen>& foreseen) {
     const Wide time = wideOf(duration);
     for (std::size_t i = 0; i < list.size(); i += wideLanes) {
         const std::array<std::uint32_t, 4> four = fourOf(list, i);
@@ -80,11 +96,12 @@ CAROM_WIDE void SteppedMotion::foreseeTurned(const SteppedInput& input, double d
                         m_bodies.turnable()[four[2]].most, m_bodies.turnable()[four[3]].most};
         if (!anyLane(dot(since, since) > most)) continue;
         for (std::size_t lane = i; lane < std::min(i + wideLanes, list.size()); ++lane)
-            foreseeTurned(input, duration, list[lane]);
+            foreseeTurned(input, duration, list[lane], foreseen);
     }
 }
 
-void SteppedMotion::foreseeTurned(const SteppedInput& input, double duration, std::uint32_t number) {
+void SteppedMotion::foreseeTurned(const SteppedInput& input, double duration, std::uint32_t number,
+                                  std::vector<Foreseen>& foreseen) {
     const Vec3 turn = duration * vectorOf(m_bodies.solved()[number].spin);
     Vec3 since = vectorOf(m_bodies.moved()[number].turn) + turn - vectorOf(m_bodies.seenTurn()[number].turn);
     if (!(since.squaredNorm() > m_bodies.turnable()[number].most)) return;
@@ -94,17 +111,13 @@ void SteppedMotion::foreseeTurned(const SteppedInput& input, double duration, st
         since -= axis.dot(since) * axis;
         if (!(since.squaredNorm() > m_bodies.turnable()[number].most)) return;
     }
-    m_hasTurned[number] = 1;
-    m_bodies.noteFar(number);
-    m_foreseen.push_back({number, pose, m_bodies.moved()[number],
-                          duration * vectorOf(m_bodies.solved()[number].velocity), turn});
+    foreseen.push_back({number, pose, m_bodies.moved()[number],
+                        duration * vectorOf(m_bodies.solved()[number].velocity), turn});
     m_bodies.seenTurn()[number].turn = arrayOf(vectorOf(m_bodies.moved()[number].turn) + turn);
 }
 
-// Moves a body to where it will be after part of the step.
-void SteppedMotion::moveAhead(const SteppedInput& input, const Foreseen& body, double part) {
-    Pose& pose = input.state.pose[m_islands.bodyOf(body.number)];
-    Displacement& moved = m_bodies.moved()[body.number];
+// Where a body will be after part of the step.
+void SteppedMotion::moveAhead(const Foreseen& body, double part, Pose& pose, Displacement& moved) {
     pose.position = body.pose.position + part * body.shift;
     pose.orientation = (fromRotationVector(part * body.turn) * body.pose.orientation).normalized();
     moved = body.moved;
@@ -120,42 +133,66 @@ bool SteppedMotion::lookAhead(const SteppedInput& input, double duration, Manifo
                               SteppedReport& report, bool isSolved) {
     foreseeTurned(input, duration);
     if (m_foreseen.empty() && !m_hasEmptyRows) return false;
-    const ManifoldInput there{input.bodies, input.state, input.gravity, duration};
     const std::size_t groups = m_rows.groups().size();
-    bool any = false;
-    m_changedGroups.clear();
-    for (std::uint32_t group = 0; group < groups; ++group)
-        for (std::uint32_t lane = 0; lane < wideLanes; ++lane) {
-            const RowGroup& of = m_rows.groups()[group];
-            if (of.source[lane] == ContactRows::noPair) continue;
-            const bool isEmpty = m_rows.points()[of.firstPoint].massNormal[lane] == 0;
-            if (!isEmpty && (m_hasTurned[of.a[lane]] | m_hasTurned[of.b[lane]]) == 0) continue;
-            const bool adds = isSolved && !isEmpty;
-            if (!adds && (m_changedGroups.empty() || m_changedGroups.back() != group))
-                m_changedGroups.push_back(group);
-            if (!findAnew(input, there, group, lane, manifolds, adds)) continue;
-            ++report.work.pairsCollided;
-            any = true;
-        }
-    for (const Foreseen& body : m_foreseen) {
-        input.state.pose[m_islands.bodyOf(body.number)] = body.pose;
-        m_bodies.moved()[body.number] = body.moved;
+    listAhead(isSolved);
+    const ManifoldInput there{input.bodies, input.state, input.gravity, duration};
+    // Rows of one group are written by one thread; few scenes have rolling resistance.
+    Workers& workers = m_rows.rolling().empty() ? input.workers : Workers::alone();
+    const std::span<AheadFinds> parts = workers.forKeptLists(
+        m_aheadGroups.size(), fewAhead, static_cast<std::vector<AheadFinds>&>(m_aheadFinds),
+        [&](std::size_t begin, std::size_t end, AheadFinds& finds) {
+            const std::size_t last = end < m_aheadGroups.size() ? m_aheadGroups[end] : m_ahead.size();
+            for (std::size_t i = begin < end ? m_aheadGroups[begin] : last; i < last; ++i)
+                findAnew(there, m_ahead[i], manifolds, finds);
+        });
+    std::size_t collided = 0;
+    for (const AheadFinds& finds : parts) {
+        collided += finds.collided;
+        m_hasEmptyRows = m_hasEmptyRows || finds.anyEmpty;
+        for (const AheadContact& contact : finds.toAdd) addAhead(input, there, contact);
     }
+    report.work.pairsCollided += collided;
     if (m_rows.groups().size() > groups) m_rows.end(m_bodies.solved());
     for (std::size_t group = groups; group < m_rows.groups().size(); ++group)
         m_changedGroups.push_back(static_cast<std::uint32_t>(group));
     updateGaps(m_rows, m_changedGroups, m_bodies.moved());
-    return any;
+    return collided > 0;
+}
+
+// Lists the pairs with rows to be found anew: those of bodies that turn, and those without points.
+void SteppedMotion::listAhead(bool isSolved) {
+    m_changedGroups.clear();
+    m_ahead.clear();
+    m_aheadGroups.clear();
+    const std::span<const RowGroup> groups = m_rows.groups();
+    for (std::uint32_t group = 0; group < groups.size(); ++group) {
+        const RowGroup& of = groups[group];
+        const std::size_t first = m_ahead.size();
+        bool changes = false;
+        for (std::uint32_t lane = 0; lane < wideLanes; ++lane) {
+            const bool turns = (m_hasTurned[of.a[lane]] | m_hasTurned[of.b[lane]]) != 0;
+            if (of.source[lane] == ContactRows::noPair) continue;
+            const bool isEmpty = m_rows.points()[of.firstPoint].massNormal[lane] == 0;
+            if (!isEmpty && !turns) continue;
+            const bool adds = isSolved && !isEmpty;
+            changes = changes || !adds;
+            m_ahead.push_back({{.group = group, .lane = lane}, adds});
+        }
+        if (m_ahead.size() > first) m_aheadGroups.push_back(first);
+        if (changes) m_changedGroups.push_back(group);
+    }
 }
 
 // Moves both bodies of a pair to where they are nearest along this normal, within the step. False if they
 // cannot touch in it.
-bool SteppedMotion::moveToNearest(const SteppedInput& input, const ManifoldInput& there,
-                                  const std::array<std::uint32_t, 2>& numbers, BodyPair pair,
-                                  const Vec3& normal) {
+bool SteppedMotion::moveToNearest(const ManifoldInput& there, const std::array<std::uint32_t, 2>& numbers,
+                                  const Vec3& normal, AheadPair& ahead) const {
+    const BodyPair pair = ahead.at.pair;
     std::array<const Foreseen*, 2> turning{};
     double most = 0;
     for (std::size_t side = 0; side < 2; ++side) {
+        ahead.at.poses[side] = there.state.pose[side == 0 ? pair.a : pair.b];
+        ahead.moved[side] = m_bodies.moved()[numbers[side]];
         if (m_hasTurned[numbers[side]] == 0) continue;
         turning[side] = &*std::lower_bound(
             m_foreseen.begin(), m_foreseen.end(), numbers[side],
@@ -163,14 +200,15 @@ bool SteppedMotion::moveToNearest(const SteppedInput& input, const ManifoldInput
         most = std::max(most, turning[side]->turn.norm());
     }
     const auto gapAt = [&](double part) {
-        for (const Foreseen* body : turning)
-            if (body != nullptr) moveAhead(input, *body, part);
+        for (std::size_t side = 0; side < 2; ++side)
+            if (turning[side] != nullptr)
+                moveAhead(*turning[side], part, ahead.at.poses[side], ahead.moved[side]);
         return gapAlong(there, pair, normal);
     };
     const double start = gapAt(0);
     const SolverBody &a = m_bodies.solved()[numbers[0]], &b = m_bodies.solved()[numbers[1]];
     const double closing = normal.dot(vectorOf(a.velocity) - vectorOf(b.velocity)) +
-                           surfaceSpeed(input.bodies, numbers[0]) + surfaceSpeed(input.bodies, numbers[1]);
+                           surfaceSpeed(there.bodies, numbers[0]) + surfaceSpeed(there.bodies, numbers[1]);
     if (!canMeetAlong(there, pair, start, closing)) return false;
     const double times = std::clamp(std::ceil(most / turnBetween), 1.0, mostTimes);
     double nearest = std::numeric_limits<double>::infinity(), at = 1;
@@ -183,15 +221,15 @@ bool SteppedMotion::moveToNearest(const SteppedInput& input, const ManifoldInput
     // that would overlap by more than a part of its half thickness are moved apart along the normal of their
     // contact, until they do not.
     const auto halfOf = [&](BodyIndex body) {
-        const Shape& shape = input.bodies.shape[body];
+        const Shape& shape = there.bodies.shape[body];
         return isWall(shape) ? std::numeric_limits<double>::infinity() : halfThicknessOf(shape);
     };
     const double overlap = std::max(0.0, -gapAt(at) - mostSunk * std::min(halfOf(pair.a), halfOf(pair.b)));
-    const Foreseen* moved = turning[1] != nullptr ? turning[1] : turning[0];
-    if (moved == nullptr) return true;
-    const Vec3 shift = (moved == turning[1] ? overlap : -overlap) * normal;
-    input.state.pose[m_islands.bodyOf(moved->number)].position += shift;
-    add(m_bodies.moved()[moved->number].shift, shift);
+    if (turning[0] == nullptr && turning[1] == nullptr) return true;
+    const std::size_t side = turning[1] != nullptr ? 1 : 0;
+    const Vec3 shift = (side == 1 ? overlap : -overlap) * normal;
+    ahead.at.poses[side].position += shift;
+    add(ahead.moved[side].shift, shift);
     return true;
 }
 
@@ -201,35 +239,35 @@ double SteppedMotion::surfaceSpeed(const Bodies& bodies, std::uint32_t number) c
     return bodies.boundingRadius[m_islands.bodyOf(number)] * vectorOf(m_bodies.solved()[number].spin).norm();
 }
 
-// Finds the contact of a pair with rows anew, which keeps its forces unless it is added to them. False if the
-// two cannot touch within the step: then the rows have no points until they can.
-bool SteppedMotion::findAnew(const SteppedInput& input, const ManifoldInput& there, std::uint32_t group,
-                             std::uint32_t lane, Manifolds& manifolds, bool adds) {
+// Finds the contact of a pair with rows anew, which keeps its forces unless it is added to them. If the two
+// cannot touch within the step, the rows have no points until they can.
+void SteppedMotion::findAnew(const ManifoldInput& here, const AheadTask& task, Manifolds& manifolds,
+                             AheadFinds& finds) {
+    const std::uint32_t group = task.place.group, lane = task.place.lane;
     const RowGroup& of = m_rows.groups()[group];
     const std::uint32_t entry = of.source[lane];
+    const double margin = m_pairs.entries()[entry].margin;
     PersistentManifold& manifold = manifolds[m_pairs.entries()[entry].place];
     const Vec3 normal = laneOf(of.normal, lane);
-    if (!moveToNearest(input, there, {of.a[lane], of.b[lane]}, manifold.pair, normal)) {
-        if (adds) return false;
-        m_hasEmptyRows = true;
-        if (m_rows.points()[of.firstPoint].massNormal[lane] == 0) return false; // they have none already
+    AheadPair ahead;
+    ahead.at.pair = manifold.pair;
+    ManifoldInput there = here;
+    there.elsewhere = &ahead.at;
+    if (!moveToNearest(there, {{of.a[lane], of.b[lane]}}, normal, ahead)) {
+        if (task.adds) return;
+        finds.anyEmpty = true;
+        if (m_rows.points()[of.firstPoint].massNormal[lane] == 0) return; // they have none already
         PairInput none = m_pairs.inputOf(there.bodies, m_islands, entry);
         none.normal = normal;
-        m_rows.replace(group, lane, none, m_bodies.solved());
-        return false;
+        return m_rows.replace(group, lane, none, m_bodies.solved());
     }
-    if (adds) {
-        const bool isStruck = holdsForAny(m_rows, {group, lane}, &beginsImpact);
+    if (task.adds) {
         PersistentManifold also = manifold;
         also.count = 0;
         also.torque.setZero(); // the rows that are there have it
-        if (!closeManifold(there, m_pairs.entries()[entry].margin, also)) return false;
-        const PlacedManifold contact = placedAtLook(there, also);
-        m_addedRows.push_back(m_rows.add(rowOf(there.bodies, entry, contact), entry, m_bodies.solved()));
-        if (isStruck)
-            recordLate(m_rows, m_addedRows.back(), m_bodies.free(),
-                       2 * there.duration * there.gravity.norm());
-        return true;
+        if (!closeManifold(there, margin, also)) return;
+        ++finds.collided;
+        return finds.toAdd.push_back({task, placedAtLook(there, also, ahead.moved)});
     }
     const auto points = [&] {
         return std::span(manifold.points).first(static_cast<std::size_t>(manifold.count));
@@ -238,19 +276,29 @@ bool SteppedMotion::findAnew(const SteppedInput& input, const ManifoldInput& the
         for (std::size_t k = 0; k < points().size(); ++k)
             points()[k].force = m_rows.impulseOf(of, static_cast<int>(lane), k) / m_step;
     manifold.torque = m_rows.torqueOf(group, lane) / m_step;
-    closeManifold(there, m_pairs.entries()[entry].margin, manifold);
-    PlacedManifold contact = placedAtLook(there, manifold);
+    closeManifold(there, margin, manifold);
+    ++finds.collided;
+    PlacedManifold contact = placedAtLook(there, manifold, ahead.moved);
     for (PointInput& point : contact.points) point.impulse *= m_step; // from forces
     contact.torque *= m_step;
     const PairInput pair = rowOf(there.bodies, entry, contact);
-    if (pair.points.size() <= of.points) {
-        m_rows.replace(group, lane, pair, m_bodies.solved());
-        m_rows.carry(group, lane, points());
-    } else {
-        m_rows.remove({group, lane});
-        m_rows.add(pair, entry, m_bodies.solved());
-    }
-    return true;
+    if (pair.points.size() > of.points) return finds.toAdd.push_back({task, contact});
+    m_rows.replace(group, lane, pair, m_bodies.solved());
+    m_rows.carry(group, lane, points());
+}
+
+// Makes rows of a contact found ahead: beside those that the pair has, or in their place, where they have too
+// few points.
+void SteppedMotion::addAhead(const SteppedInput& input, const ManifoldInput& there,
+                             const AheadContact& ahead) {
+    const auto [task, contact] = ahead;
+    const std::uint32_t entry = m_rows.groups()[task.place.group].source[task.place.lane];
+    const bool isStruck = task.adds && holdsForAny(m_rows, task.place, &beginsImpact);
+    if (!task.adds) m_rows.remove(task.place);
+    const LanePacker::Place place = m_rows.add(rowOf(input.bodies, entry, contact), entry, m_bodies.solved());
+    if (!task.adds) return;
+    m_addedRows.push_back(place);
+    if (isStruck) recordLate(m_rows, place, m_bodies.free(), 2 * there.duration * there.gravity.norm());
 }
 
 // When the step is solved; those that rebound, when they have.

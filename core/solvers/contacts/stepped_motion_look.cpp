@@ -236,9 +236,15 @@ BodyFrame SteppedMotion::frameOf(const ManifoldInput& here, const Framed& framed
 // The contact at the present poses, with separations as at the look: rows add the displacement since.
 PlacedManifold SteppedMotion::placedAtLook(const ManifoldInput& here,
                                            const PersistentManifold& manifold) const {
-    PlacedManifold contact = placed(here, manifold);
     const auto [a, b] = m_islands.numbersOf(manifold.pair);
-    const Displacement &from = m_bodies.moved()[a], &to = m_bodies.moved()[b];
+    return placedAtLook(here, manifold, {m_bodies.moved()[a], m_bodies.moved()[b]});
+}
+
+// The same where the two bodies have moved so far.
+PlacedManifold SteppedMotion::placedAtLook(const ManifoldInput& here, const PersistentManifold& manifold,
+                                           const std::array<Displacement, 2>& moved) {
+    PlacedManifold contact = placed(here, manifold);
+    const auto& [from, to] = moved;
     for (PointInput& point : contact.points)
         point.separation -= contact.normal.dot(vectorOf(to.shift) + vectorOf(to.turn).cross(point.armB) -
                                                vectorOf(from.shift) - vectorOf(from.turn).cross(point.armA));
