@@ -486,7 +486,8 @@ bool ContactRows::storeForces(std::uint32_t group, std::uint32_t lane, double du
     if (group >= m_carried.size()) return false;
     const RowGroup& of = m_groups[group];
     for (std::uint32_t k = 0; k < of.points; ++k)
-        m_carried[group].points[k][lane]->force = impulseOf(of, static_cast<int>(lane), k) / duration;
+        if (CarriedPoint* const point = m_carried[group].points[k][lane]; point != &m_none)
+            point->force = impulseOf(of, static_cast<int>(lane), k) / duration;
     return true;
 }
 
