@@ -51,6 +51,7 @@ class RunTest : public QObject {
     void framesComeFromTheDurationElseSixHundred();
     void optionsWinOverTheScene();
     void threadsAndBroadphasesChangeNoBit();
+    void threadsShareWhatTurns();
     void faultyDeclarationsAreLeftOutUnlessStrict();
     void aLostStateEndsWithFourAndSaysWhere();
     void aFrameOfTooMuchWorkEndsWithFourAndSaysWhy();
@@ -240,6 +241,19 @@ void RunTest::threadsAndBroadphasesChangeNoBit() {
          {QStringList{"--threads", "1"}, QStringList{"--threads", "2"},
           QStringList{"--broadphase", "all_pairs"}, QStringList{"--broadphase", "sweep_and_sort"}}) {
         const test::Ended ended = test::carom(QStringList{"run", scene, "-n", "60", "--json"} + options);
+        hashes.insert(QJsonDocument::fromJson(ended.out.toUtf8()).object()["state_hash"].toString());
+    }
+    QCOMPARE(hashes.size(), 1);
+    QVERIFY(!hashes.contains(QString()));
+}
+
+// Cylinders that fall on each other turn so far that their contacts are found within a step.
+void RunTest::threadsShareWhatTurns() {
+    const QByteArray heap = test::carom({"generate", "heap", "--n", "400", "--cuboids", "0"}).out.toUtf8();
+    QSet<QString> hashes;
+    for (const char* threads : {"1", "2"}) {
+        const test::Ended ended = test::carom({"run", "-", "-n", "25", "--json", "--threads", threads}, heap);
+        QCOMPARE(ended.exitCode, 0); // 99 where a sanitizer found something
         hashes.insert(QJsonDocument::fromJson(ended.out.toUtf8()).object()["state_hash"].toString());
     }
     QCOMPARE(hashes.size(), 1);
