@@ -35,6 +35,20 @@ const QByteArray glide = "gravity { accel 0, 0, 0 }\nsimulation { step 0.125  me
 
 QStringList fieldsOf(const QString& row) { return row.split(','); }
 
+/// That runs with these options end well, and with the same bits.
+void haveOneHash(const QString& scene, const QString& frames, const QList<QStringList>& options,
+                 const QByteArray& text = {}) {
+    QSet<QString> hashes;
+    for (const QStringList& option : options) {
+        const test::Ended ended =
+            test::carom(QStringList{"run", scene, "-n", frames, "--json"} + option, text);
+        QCOMPARE(ended.exitCode, 0); // 99 where a sanitizer found something
+        hashes.insert(QJsonDocument::fromJson(ended.out.toUtf8()).object()["state_hash"].toString());
+    }
+    QCOMPARE(hashes.size(), 1);
+    QVERIFY(!hashes.contains(QString()));
+}
+
 } // namespace
 
 class RunTest : public QObject {
@@ -235,29 +249,17 @@ void RunTest::optionsWinOverTheScene() {
 }
 
 void RunTest::threadsAndBroadphasesChangeNoBit() {
-    const QString scene = test::source("scenes/pyramid.sdl");
-    QSet<QString> hashes;
-    for (const QStringList& options :
-         {QStringList{"--threads", "1"}, QStringList{"--threads", "2"},
-          QStringList{"--broadphase", "all_pairs"}, QStringList{"--broadphase", "sweep_and_sort"}}) {
-        const test::Ended ended = test::carom(QStringList{"run", scene, "-n", "60", "--json"} + options);
-        hashes.insert(QJsonDocument::fromJson(ended.out.toUtf8()).object()["state_hash"].toString());
-    }
-    QCOMPARE(hashes.size(), 1);
-    QVERIFY(!hashes.contains(QString()));
+    haveOneHash(test::source("scenes/pyramid.sdl"), "60",
+                {{"--threads", "1"},
+                 {"--threads", "2"},
+                 {"--broadphase", "all_pairs"},
+                 {"--broadphase", "sweep_and_sort"}});
 }
 
 // Cylinders that fall on each other turn so far that their contacts are found within a step.
 void RunTest::threadsShareWhatTurns() {
     const QByteArray heap = test::carom({"generate", "heap", "--n", "400", "--cuboids", "0"}).out.toUtf8();
-    QSet<QString> hashes;
-    for (const char* threads : {"1", "2"}) {
-        const test::Ended ended = test::carom({"run", "-", "-n", "25", "--json", "--threads", threads}, heap);
-        QCOMPARE(ended.exitCode, 0); // 99 where a sanitizer found something
-        hashes.insert(QJsonDocument::fromJson(ended.out.toUtf8()).object()["state_hash"].toString());
-    }
-    QCOMPARE(hashes.size(), 1);
-    QVERIFY(!hashes.contains(QString()));
+    haveOneHash("-", "25", {{"--threads", "1"}, {"--threads", "2"}}, heap);
 }
 
 void RunTest::faultyDeclarationsAreLeftOutUnlessStrict() {

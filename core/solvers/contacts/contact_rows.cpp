@@ -226,7 +226,7 @@ CAROM_WIDE double fillRows(std::span<RowGroup> groups, std::span<const CarriedGr
 }
 
 CAROM_WIDE void storeRows(std::span<const RowGroup> groups, std::span<const CarriedGroup> carried,
-                          const RowPoint* points, double duration) {
+                          const RowPoint* points, const CarriedPoint& none, double duration) {
     const Wide perTime = wideOf(1 / duration);
     for (std::size_t i = 0; i < carried.size(); ++i) {
         const RowGroup& group = groups[i];
@@ -238,7 +238,8 @@ CAROM_WIDE void storeRows(std::span<const RowGroup> groups, std::span<const Carr
             std::array<Wide, 4> lanes{force.x, force.y, force.z, Wide{}};
             transpose(lanes[0], lanes[1], lanes[2], lanes[3]);
             for (std::size_t lane = 0; lane < wideLanes; ++lane)
-                __builtin_memcpy(carried[i].points[k][lane]->force.data(), &lanes[lane], sizeof(Vec3));
+                if (CarriedPoint* const point = carried[i].points[k][lane]; point != &none)
+                    __builtin_memcpy(point->force.data(), &lanes[lane], sizeof(Vec3));
         }
     }
 }
@@ -536,7 +537,7 @@ void ContactRows::renewMasses(std::span<const SolverBody> bodies, std::span<cons
 void ContactRows::storeForces(double duration, Workers& workers) const {
     workers.forRanges(m_carried.size(), fewShared, [&](std::size_t begin, std::size_t end) {
         storeRows(groups().subspan(begin, end - begin), std::span(m_carried).subspan(begin, end - begin),
-                  m_points.data(), duration);
+                  m_points.data(), m_none, duration);
     });
 }
 

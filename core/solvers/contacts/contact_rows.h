@@ -230,7 +230,7 @@ class ContactRows {
     std::vector<RowPoint> m_points;
     std::size_t m_pointCount = 0;        // of m_points; others are of earlier rows
     std::vector<CarriedGroup> m_carried; // by group, of the first ones
-    CarriedPoint m_none;                 // of an empty lane
+    CarriedPoint m_none;                 // of empty lanes: threads share it, so none writes to it
     std::vector<std::uint8_t> m_isStale; // by group of these, if any is: a bit for every lane to be made anew
     std::vector<std::uint32_t> m_newGroup;  // by group before: the number that it, or the next, keeps
     std::vector<RollingRow> m_rolling;      // those of removed pairs have no effect

@@ -306,7 +306,7 @@ class SteppedMotion {
                        const Vec3& normal, AheadPair& ahead) const;
     double surfaceSpeed(const Bodies& bodies, std::uint32_t number) const;
     void findAnew(const ManifoldInput& here, const AheadTask& task, Manifolds& manifolds, AheadFinds& finds);
-    void addAhead(const SteppedInput& input, const ManifoldInput& there, const AheadContact& ahead);
+    void addAhead(const ManifoldInput& there, const AheadContact& ahead);
     void sweep(const StepSettings& settings, Workers& workers, SteppedReport& report);
     void step(const SteppedInput& input, double duration, Manifolds& manifolds, SteppedReport& report);
     void limitEnergy(const StepSettings& settings, Workers& workers, bool corrects);

@@ -149,7 +149,7 @@ bool SteppedMotion::lookAhead(const SteppedInput& input, double duration, Manifo
     for (const AheadFinds& finds : parts) {
         collided += finds.collided;
         m_hasEmptyRows = m_hasEmptyRows || finds.anyEmpty;
-        for (const AheadContact& contact : finds.toAdd) addAhead(input, there, contact);
+        for (const AheadContact& contact : finds.toAdd) addAhead(there, contact);
     }
     report.work.pairsCollided += collided;
     if (m_rows.groups().size() > groups) m_rows.end(m_bodies.solved());
@@ -289,13 +289,12 @@ void SteppedMotion::findAnew(const ManifoldInput& here, const AheadTask& task, M
 
 // Makes rows of a contact found ahead: beside those that the pair has, or in their place, where they have too
 // few points.
-void SteppedMotion::addAhead(const SteppedInput& input, const ManifoldInput& there,
-                             const AheadContact& ahead) {
+void SteppedMotion::addAhead(const ManifoldInput& there, const AheadContact& ahead) {
     const auto [task, contact] = ahead;
     const std::uint32_t entry = m_rows.groups()[task.place.group].source[task.place.lane];
     const bool isStruck = task.adds && holdsForAny(m_rows, task.place, &beginsImpact);
     if (!task.adds) m_rows.remove(task.place);
-    const LanePacker::Place place = m_rows.add(rowOf(input.bodies, entry, contact), entry, m_bodies.solved());
+    const LanePacker::Place place = m_rows.add(rowOf(there.bodies, entry, contact), entry, m_bodies.solved());
     if (!task.adds) return;
     m_addedRows.push_back(place);
     if (isStruck) recordLate(m_rows, place, m_bodies.free(), 2 * there.duration * there.gravity.norm());
