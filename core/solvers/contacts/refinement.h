@@ -20,12 +20,13 @@
 //                what it is expected to cost; with springs forSprings times as much
 //     saved      what a frame does not use is saved for later, up to a limit, beside a larger sum that a run
 //                begins with: an island that is nearly at rest may use it. Its forces cost much the first
-//                time and are valid for long. One that is too large for the budget may, too, if none of it
-//                is faster than what may be put to sleep and its part pays for that first time. If more is
-//                saved than that needs, as in accurate runs, any other island may use it, too, by half as
-//                much after every failed attempt: a quarter of it in a frame at most. Islands share it by the
-//                squares of their expected cost, because large ones need it. The base path's work is paid
-//                from the same budget, so bodies that move all the time save nothing.
+//                time and are valid for long; of what was saved later it may use no more than a few times
+//                that cost. One that is too large for the budget may, too, if none of it is faster than what
+//                may be put to sleep and its part pays for that first time. If more is saved than that
+//                needs, as in accurate runs, any other island may use it, too, by half as much after every
+//                failed attempt: a quarter of it in a frame at most. Islands share it by the squares of
+//                their expected cost, because large ones need it. The base path's work is paid from the same
+//                budget, so bodies that move all the time save nothing.
 //     presets    differ by the sums alone: `fast` has a quarter of all of them, `accurate` twelve times the
 //                floor, and saves what 200 of its frames may take. What is nearly at rest, how fast the sum
 //                of the start fades, and when creeping bodies sleep (calm.h) is the same in all
@@ -163,7 +164,8 @@ class Refinement {
     /// What an island takes that may be too large for the budget: more where its forces are not known.
     double wholeWork(const Island& island, double expected) const;
     /// What an island may use of what is saved, if no other does.
-    double openTo(const RefinementInput& input, const RefinementBudget& budget, const Island& island) const;
+    double openTo(const RefinementInput& input, const RefinementBudget& budget, const Island& island,
+                  double expected) const;
 
     double m_saved = -1;                  // operations; negative: the run begins
     double m_spent = 0;                   // operations in this frame

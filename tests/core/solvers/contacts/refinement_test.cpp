@@ -262,7 +262,7 @@ class RefinementTest : public QObject {
         crowd.chain({2, 2});
         crowd.state.velocity[0] = {2 * limit, 0, 0}; // too fast
         crowd.find();
-        const RefinementBudget budget{.floor = 1e5, .perItem = 0, .start = 1e7, .saved = 4e6};
+        const RefinementBudget budget{.floor = 1e5, .perItem = 0, .start = 1e7, .saved = 0};
         Refinement refinement(4);
         refinement.choose(crowd.input(), budget);
         QCOMPARE(refinement.refined().size(), 2U);
@@ -465,6 +465,16 @@ class RefinementTest : public QObject {
         }
         QVERIFY(sum >= budget.burst);
         QVERIFY(sum <= budget.burst + Refinement::mostShares * budget.floor);
+    }
+
+    void whatTakesFarMoreThanForcesCostIsNotAtRest() {
+        Crowd crowd(2);
+        crowd.chain({2});
+        crowd.find();
+        Refinement refinement(2);
+        refinement.choose(crowd.input(),
+                          {.floor = 0, .perItem = 0, .start = 4e7, .saved = 4e7, .burst = 6e6});
+        QVERIFY(refinement.refined()[0].budget < 3e5); // twice 60 times 2,100 operations
     }
 
     void islandThatFailsWaitsTwiceAsLongEachTime() {
