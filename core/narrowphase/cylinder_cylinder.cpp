@@ -32,9 +32,10 @@ constexpr double parallel = 1e-14;
 // cap, and another direction is tried as well. At half, some pairs have only the poor estimate; at twice,
 // more pairs try both.
 constexpr double nearlyParallel = 0.2;
-// Two points further apart than the projections by this part of the gap still prove a distance: some tens of
-// rounding errors. At a hundredth, no pair is proven and every search is complete.
-constexpr double proof = 1e-14;
+// A point outside of a cylinder by this part of the size still proves a distance: some tens of rounding
+// errors, and less than what another direction would have to be better by (axis_search.h). At a hundredth, no
+// pair is proven and every search is complete; at ten times, a search may end at a smaller gap.
+constexpr double proof = 4e-15;
 
 struct CylinderPair {
     Cylinder shapeA, shapeB;
@@ -100,8 +101,7 @@ void considerOverhang(AxisSearch<CylinderPair>& search, const RimPair& rims, con
     const auto tryTowards = [&](const Vec3& target) {
         const Vec3 lateral = target - target.dot(cap) * cap;
         const double reach = lateral.norm();
-        if (reach > 0) search.consider(climb(rims, leaningOut(rims, cap, lateral / reach)));
-        return reach;
+        if (reach > 0) search.consider(climb(rims, leaningOut(rims, cap, lateral / reach)).normal);
     };
     const Vec3 across = cap - cap.dot(rims.axisB) * rims.axisB;
     const double sine = across.norm();
@@ -112,18 +112,31 @@ void considerOverhang(AxisSearch<CylinderPair>& search, const RimPair& rims, con
     if (lateral.squaredNorm() > rims.radiusA * rims.radiusA) tryTowards(nearest);
 }
 
-bool isInside(const Cylinder& shape, const Vec3& axis, const Vec3& fromCentre) {
-    return std::abs(fromCentre.dot(axis)) <= shape.halfHeight &&
-           fromCentre.cross(axis).norm() <= shape.radius;
+// Inside, or outside by no more than `tolerance` [m].
+bool isInside(const Cylinder& shape, const Vec3& axis, const Vec3& fromCentre, double tolerance = 0) {
+    return std::abs(fromCentre.dot(axis)) <= shape.halfHeight + tolerance &&
+           fromCentre.cross(axis).norm() <= shape.radius + tolerance;
 }
 
-// The furthest point of one cylinder along the best direction lies in the other: they do overlap.
+// The point of A, from A's centre, that is nearest to B's axis among those at this distance [m] from A's axis
+// towards n, which is across both. Not finite where the axes are parallel.
+Vec3 besideAxes(const CylinderPair& pair, const Vec3& n, double radius) {
+    const double cosine = pair.axisA.dot(pair.axisB);
+    const double height = pair.offset.dot(pair.axisA - cosine * pair.axisB) / (1 - cosine * cosine);
+    return height * pair.axisA + radius * n;
+}
+
+// The furthest point of one cylinder along the best direction lies in the other, or a point between their
+// axes lies in both: they do overlap.
 bool overlapIsCertain(const CylinderPair& pair, const BestAxis& best) {
     if (!(best.separation < 0)) return false;
-    return isInside(pair.shapeB, pair.axisB,
-                    furthestPoint(pair.shapeA, pair.axisA, best.normal) - pair.offset) ||
-           isInside(pair.shapeA, pair.axisA,
-                    furthestPoint(pair.shapeB, pair.axisB, -best.normal) + pair.offset);
+    if (isInside(pair.shapeB, pair.axisB,
+                 furthestPoint(pair.shapeA, pair.axisA, best.normal) - pair.offset) ||
+        isInside(pair.shapeA, pair.axisA, furthestPoint(pair.shapeB, pair.axisB, -best.normal) + pair.offset))
+        return true;
+    const Vec3 middle = besideAxes(pair, best.normal, pair.shapeA.radius + 0.5 * best.separation);
+    return isInside(pair.shapeA, pair.axisA, middle) &&
+           isInside(pair.shapeB, pair.axisB, middle - pair.offset);
 }
 
 // For each pair of rims the gap F of the discs they bound is concave, F >= s everywhere, and F = s for
@@ -133,6 +146,8 @@ bool overlapIsCertain(const CylinderPair& pair, const BestAxis& best) {
 //     local maximum with s(n) > −δ: from n towards m the gap still grows. Then no search is needed.
 void considerRims(AxisSearch<CylinderPair>& search, const CylinderPair& pair, const Vec3& x) {
     const bool overlap = overlapIsCertain(pair, search.best());
+    // Nearly parallel, the climbs of several pairs end within a tie of each other, and all are needed.
+    const bool endsEarly = overlap && pair.axisA.cross(pair.axisB).norm() > nearlyParallel;
     for (const double signA : {1.0, -1.0}) {
         for (const double signB : {1.0, -1.0}) {
             const Vec3 capA = signA * pair.axisA;
@@ -141,11 +156,13 @@ void considerRims(AxisSearch<CylinderPair>& search, const CylinderPair& pair, co
                                   pair.offset - pair.shapeA.halfHeight * capA -
                                       pair.shapeB.halfHeight * capB};
             const double apart = rims.offset.norm();
-            if (overlap && apart > 0 && gapAlong(rims, rims.offset / apart) > -search.best().separation)
-                continue;
+            const double depth = -search.best().separation;
+            if (overlap && apart > 0 && gapAlong(rims, rims.offset / apart) > depth) continue;
             const Vec3 between = 0.5 * (capA + capB) + 0.5 * (capA - capB).norm() * x;
-            const Vec3 first = climb(rims, between.normalized());
-            search.consider(first);
+            const double enough = endsEarly ? depth : std::numeric_limits<double>::infinity();
+            const RimGap first = climb(rims, between.normalized(), enough);
+            if (first.gap > enough) continue;
+            search.consider(first.normal);
             if (isGreatestGap(rims, first)) continue;
             considerOverhang(search, rims, capA);
             considerOverhang(search, {rims.axisB, rims.axisA, rims.radiusB, rims.radiusA, rims.offset}, capB);
@@ -155,12 +172,17 @@ void considerRims(AxisSearch<CylinderPair>& search, const CylinderPair& pair, co
 
 // Apart, two points as far apart as the projections prove that there is no better direction.
 bool isProven(const CylinderPair& pair, const BestAxis& best) {
-    if (!(best.separation > 0)) return false;
+    const double tolerance = proof * pair.size();
+    if (!(best.separation > -tolerance)) return false;
     const Vec3 step = best.separation * best.normal;
-    return isInside(pair.shapeB, pair.axisB,
-                    furthestPoint(pair.shapeA, pair.axisA, best.normal) + (1 + proof) * step - pair.offset) ||
+    const auto reachesB = [&](const Vec3& onA) {
+        return isInside(pair.shapeB, pair.axisB, onA + step - pair.offset, tolerance);
+    };
+    const Vec3 side = besideAxes(pair, best.normal, pair.shapeA.radius);
+    return reachesB(furthestPoint(pair.shapeA, pair.axisA, best.normal)) ||
            isInside(pair.shapeA, pair.axisA,
-                    furthestPoint(pair.shapeB, pair.axisB, -best.normal) - (1 + proof) * step + pair.offset);
+                    furthestPoint(pair.shapeB, pair.axisB, -best.normal) - step + pair.offset, tolerance) ||
+           (isInside(pair.shapeA, pair.axisA, side, tolerance) && reachesB(side));
 }
 
 BestAxis searchAxes(const CylinderPair& pair, double margin) {

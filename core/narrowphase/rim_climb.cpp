@@ -26,19 +26,33 @@ constexpr double longestStep = 0.8;
 // that is off by its square, 1e-14. At ten times, that is above rounding.
 constexpr double certain = 1e-7;
 
+// How both rims lie to n, and F(n).
+struct Look {
+    Vec3 crossA, crossB; // axis × n
+    double sineA, sineB; // their lengths
+    double gap;          // [m]
+};
+
+CAROM_INLINE Look lookAlong(const RimPair& rims, const Vec3& n) {
+    Look look;
+    look.crossA = rims.axisA.cross(n);
+    look.crossB = rims.axisB.cross(n);
+    look.sineA = look.crossA.norm();
+    look.sineB = look.crossB.norm();
+    look.gap = rims.offset.dot(n) - rims.radiusA * look.sineA - rims.radiusB * look.sineB;
+    return look;
+}
+
 // Where a rim reaches furthest along n.
 struct RimPoint {
-    double sine = 0;             // |n × axis|
     Vec3 radial = Vec3::Zero();  // unit, from the rim's centre
     Vec3 tangent = Vec3::Zero(); // unit, along the rim
 };
 
-CAROM_INLINE RimPoint furthestOn(const Vec3& axis, const Vec3& n) {
+CAROM_INLINE RimPoint furthestOn(const Vec3& axis, const Vec3& cross, double sine) {
     RimPoint point;
-    const Vec3 cross = axis.cross(n);
-    point.sine = cross.norm();
-    if (point.sine > 0) {
-        point.tangent = cross / point.sine;
+    if (sine > 0) {
+        point.tangent = cross / sine;
         point.radial = point.tangent.cross(axis);
     }
     return point;
@@ -50,7 +64,7 @@ struct Hessian {
 };
 
 // Newton's step with the eigenvalues made negative, so that F always increases.
-Eigen::Vector2d uphill(const Hessian& hessian, const Eigen::Vector2d& gradient, double longest) {
+CAROM_INLINE Eigen::Vector2d uphill(const Hessian& hessian, const Eigen::Vector2d& gradient, double longest) {
     const double mean = 0.5 * (hessian.xx + hessian.yy);
     const double half = 0.5 * (hessian.xx - hessian.yy);
     const double radius = std::sqrt(half * half + hessian.xy * hessian.xy);
@@ -69,51 +83,48 @@ Eigen::Vector2d uphill(const Hessian& hessian, const Eigen::Vector2d& gradient, 
 
 } // namespace
 
-double gapAlong(const RimPair& rims, const Vec3& n) {
-    return rims.offset.dot(n) - rims.radiusA * n.cross(rims.axisA).norm() -
-           rims.radiusB * n.cross(rims.axisB).norm();
+double gapAlong(const RimPair& rims, const Vec3& n) { return lookAlong(rims, n).gap; }
+
+bool isGreatestGap(const RimPair& rims, const RimGap& found) {
+    if (!(found.gap > 0)) return false;
+    const Look look = lookAlong(rims, found.normal);
+    const Vec3 between = rims.offset - rims.radiusA * furthestOn(rims.axisA, look.crossA, look.sineA).radial -
+                         rims.radiusB * furthestOn(rims.axisB, look.crossB, look.sineB).radial;
+    return (between - found.gap * found.normal).norm() <= certain * found.gap;
 }
 
-bool isGreatestGap(const RimPair& rims, const Vec3& n) {
-    const double gap = gapAlong(rims, n);
-    if (!(gap > 0)) return false;
-    const Vec3 between = rims.offset - rims.radiusA * furthestOn(rims.axisA, n).radial -
-                         rims.radiusB * furthestOn(rims.axisB, n).radial;
-    return (between - gap * n).norm() <= certain * gap;
-}
-
-CAROM_WIDE Vec3 climb(const RimPair& rims, const Vec3& start) {
+CAROM_WIDE RimGap climb(const RimPair& rims, const Vec3& start, double enough) {
     Vec3 n = start;
-    double gap = gapAlong(rims, n);
-    for (int i = 0; i < maxIterations; ++i) {
-        const RimPoint onA = furthestOn(rims.axisA, n);
-        const RimPoint onB = furthestOn(rims.axisB, n);
-        if (onA.sine < onAxis || onB.sine < onAxis) break;
+    Look look = lookAlong(rims, n);
+    for (int i = 0; i < maxIterations && !(look.gap > enough); ++i) {
+        if (look.sineA < onAxis || look.sineB < onAxis) break;
+        const RimPoint onA = furthestOn(rims.axisA, look.crossA, look.sineA);
+        const RimPoint onB = furthestOn(rims.axisB, look.crossB, look.sineB);
         const Vec3 between = rims.offset - rims.radiusA * onA.radial - rims.radiusB * onB.radial;
         const Vec3& first = onA.tangent; // with second a basis of the tangent plane
         const Vec3 second = n.cross(first);
         const double bx = onB.tangent.dot(first);
         const double by = onB.tangent.dot(second);
-        const double curvatureB = rims.radiusB / onB.sine;
-        const Hessian hessian = {-rims.radiusA / onA.sine - curvatureB * bx * bx - gap, -curvatureB * bx * by,
-                                 -curvatureB * by * by - gap};
+        const double curvatureB = rims.radiusB / look.sineB;
+        const Hessian hessian = {-rims.radiusA / look.sineA - curvatureB * bx * bx - look.gap,
+                                 -curvatureB * bx * by, -curvatureB * by * by - look.gap};
         Eigen::Vector2d step = uphill(hessian, {between.dot(first), between.dot(second)},
-                                      longestStep * std::min(onA.sine, onB.sine));
+                                      longestStep * std::min(look.sineA, look.sineB));
         const double length = step.norm();
         if (!(length > converged)) break;
         bool climbed = false;
         for (int halving = 0; halving < 6 && !climbed; ++halving, step *= 0.5) {
             const Vec3 next = (n + step.x() * first + step.y() * second).normalized();
-            const double nextGap = gapAlong(rims, next);
-            if (nextGap > gap || (nextGap == gap && halving == 0)) {
+            const Look nextLook = lookAlong(rims, next);
+            if (nextLook.gap > look.gap || (nextLook.gap == look.gap && halving == 0)) {
                 n = next;
-                gap = nextGap;
+                look = nextLook;
                 climbed = true;
             }
         }
         if (!climbed || length < 1e-9) break; // after a step this short the next would be below rounding
     }
-    return n;
+    return {n, look.gap};
 }
 
 } // namespace carom

@@ -3,6 +3,8 @@
 
 #include "core/math/types.h"
 
+#include <limits>
+
 namespace carom {
 
 /// Two circles in space, the rims of two caps.
@@ -12,9 +14,15 @@ struct RimPair {
     Vec3 offset;             ///< from A's centre to B's [m]
 };
 
-/// From unit `start` to a local maximum, over unit n, of the gap between the projections of two discs,
+/// A unit direction n with the gap between the projections of both discs along it,
 ///
 ///     F(n) = offset·n − rA |n × a| − rB |n × b|
+struct RimGap {
+    Vec3 normal = Vec3::UnitY();
+    double gap = 0; ///< F(n) [m]
+};
+
+/// From unit `start` to a local maximum of F, or until F exceeds `enough` [m],
 ///
 /// by Newton's method on the sphere, safeguarded: F never decreases. Gradient: the vector W between the
 /// rims' points furthest towards each other, made tangent. Hessian in the tangent plane:
@@ -22,12 +30,13 @@ struct RimPair {
 ///     −(rA / |n × a|) tA tAᵀ − (rB / |n × b|) tB tBᵀ − F 1,     tA, tB tangents of the rims at those points
 ///
 /// If the discs are apart (F > 0 somewhere) F has a single maximum and every start leads to it.
-Vec3 climb(const RimPair& rims, const Vec3& start);
+RimGap climb(const RimPair& rims, const Vec3& start, double enough = std::numeric_limits<double>::infinity());
 
-/// F(n), see above [m].
+/// F(n) [m].
 double gapAlong(const RimPair& rims, const Vec3& n);
 
-/// Whether n is certainly where F is greatest: F(n) > 0 and the rims have points F(n) apart, straight across.
-bool isGreatestGap(const RimPair& rims, const Vec3& n);
+/// Whether this is certainly where F is greatest: F(n) > 0 and the rims have points F(n) apart, straight
+/// across.
+bool isGreatestGap(const RimPair& rims, const RimGap& found);
 
 } // namespace carom
