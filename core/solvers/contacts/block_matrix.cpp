@@ -3,6 +3,7 @@
 
 #include "core/base/assert.h"
 #include "core/base/wide.h"
+#include "core/solvers/contacts/wide_columns.h"
 
 #include <algorithm>
 #include <cmath>
@@ -43,6 +44,18 @@ CAROM_INLINE bool takeRoot(Mat6& h) {
         }
     }
     return true;
+}
+
+/// A := A B.
+CAROM_INLINE void scaleBy(const Mat6& b, Mat6& a) {
+    const WideColumns6 columns = loadColumns(a);
+    for (int j = 0; j < 6; ++j) storeColumn(a.data() + 6 * j, times(columns, b.data() + 6 * j));
+}
+
+/// A := A Bᵀ.
+CAROM_INLINE void scaleByTransposed(const Mat6& b, Mat6& a) {
+    const WideColumns6 columns = loadColumns(a);
+    for (int j = 0; j < 6; ++j) storeColumn(a.data() + 6 * j, times(columns, b.data() + j, 6));
 }
 
 /// L⁻¹ of the lower half.
@@ -208,9 +221,10 @@ std::size_t BlockMatrix::lowerIndex(int row, int column) const {
     return static_cast<std::size_t>(at - m_rows.begin());
 }
 
-void BlockMatrix::setZero() {
+void BlockMatrix::setZero(bool general) {
     for (Mat6& block : m_diagonal) block.setZero();
     for (Mat6& block : m_lower) block.setZero();
+    if (!general) return;
     for (Mat6& block : m_upper) block.setZero();
 }
 
@@ -228,7 +242,7 @@ void BlockMatrix::addToEdge(std::size_t edge, const Mat6& value, const Mat6& mir
     m_upper[where.lower] += where.transposed ? value : mirror;
 }
 
-bool BlockMatrix::factor() {
+CAROM_WIDE bool BlockMatrix::factor() {
     m_general = false;
     for (std::size_t j = 0; j < m_columns.size(); ++j) {
         if (!takeRoot(m_diagonal[j])) return false;
@@ -237,13 +251,13 @@ bool BlockMatrix::factor() {
         std::size_t update = column.firstUpdate;
         for (std::size_t i = 0; i < column.count; ++i) {
             Mat6& block = m_lower[column.first + i];
-            const Mat6 scaled = block * m_diagonal[j].transpose();
-            block = scaled;
+            scaleByTransposed(m_diagonal[j], block);
+            const WideColumns6 scaled = loadColumns(block);
             for (std::size_t k = 0; k <= i; ++k, ++update) {
                 const std::size_t target = m_updates[update];
                 Mat6& changed =
                     (target & onDiagonal) != 0 ? m_diagonal[target & ~onDiagonal] : m_lower[target];
-                changed.noalias() -= block * m_lower[column.first + k].transpose();
+                subtractTransposed(scaled, m_lower[column.first + k], changed);
             }
         }
     }
@@ -265,15 +279,15 @@ CAROM_WIDE bool BlockMatrix::factorGeneral(std::span<const double> lengths) {
         const Column& column = m_columns[j];
         std::size_t update = column.firstUpdate;
         for (std::size_t i = column.first; i < column.first + column.count; ++i) {
-            const Mat6 scaled = m_lower[i] * m_diagonal[j];
-            m_lower[i] = scaled;
+            scaleBy(m_diagonal[j], m_lower[i]);
+            const WideColumns6 lower = loadColumns(m_lower[i]);
             for (std::size_t k = column.first; k <= i; ++k, ++update) {
                 const std::size_t target = m_updates[update];
                 if ((target & onDiagonal) != 0) {
-                    m_diagonal[target & ~onDiagonal].noalias() -= m_lower[i] * m_upper[k];
+                    subtractProduct(lower, m_upper[k], m_diagonal[target & ~onDiagonal]);
                 } else {
-                    m_lower[target].noalias() -= m_lower[i] * m_upper[k];
-                    m_upper[target].noalias() -= m_lower[k] * m_upper[i];
+                    subtractProduct(lower, m_upper[k], m_lower[target]);
+                    subtractProduct(loadColumns(m_lower[k]), m_upper[i], m_upper[target]);
                 }
             }
         }

@@ -43,8 +43,15 @@ class BlockMatrix {
     /// Blocks below the diagonal, fill-in included.
     std::size_t couplings() const { return m_rows.size(); }
 
-    void setZero();
+    /// Of a `general` matrix all blocks, else those of the diagonal and below it.
+    void setZero(bool general = true);
     void addToDiagonal(int block, const Mat6& value) { m_diagonal[place(block)] += value; }
+    /// The blocks themselves, to add to: of the diagonal, and of an edge between a and b, where the lower one
+    /// is at (row a, column b) if a is eliminated after b.
+    Mat6& diagonal(int block) { return m_diagonal[place(block)]; }
+    Mat6& lower(std::size_t edge) { return m_lower[m_edgePlace[edge].lower]; }
+    Mat6& upper(std::size_t edge) { return m_upper[m_edgePlace[edge].lower]; }
+    bool isAfter(int a, int b) const { return place(a) > place(b); }
     /// Adds to the block at (row first, column second) of edge number `edge`; its mirror image is implied.
     void addToEdge(std::size_t edge, const Mat6& value);
     /// Adds to the blocks at (first, second) and (second, first), for factorGeneral.

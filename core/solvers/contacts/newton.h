@@ -88,10 +88,6 @@ class NewtonSolver {
         double limit = 0; ///< the error that rounding leaves, where that ended it [m/s]
     };
 
-    struct Place {
-        int a = immobile, b = immobile, edge = -1;
-    };
-
     bool prepare(const ContactProblem& problem, double mostWork);
     void resetMultipliers(const ContactProblem& problem);
     int startFromNothing(ContactProblem& problem);
@@ -109,10 +105,9 @@ class NewtonSolver {
     static Side sideOf(const ContactRow& row, const RowState& state);
     bool factor(const ContactProblem& problem, bool coupled);
     void addContact(const ContactRow& row, const RowState& state, bool coupled);
-    template<int rows>
-    void addBlocks(const Place& place, const Eigen::Matrix<double, 6, rows>& leftA,
-                   const Eigen::Matrix<double, 6, rows>& leftB, const Eigen::Matrix<double, rows, 6>& rightA,
-                   const Eigen::Matrix<double, rows, 6>& rightB);
+    void addRolling(const ContactRow& row, const RowState& state, double rho, bool coupled);
+    template<class Row>
+    void addSlope(const Row& row, int edge, const Mat3& slope, bool coupled);
     double slope(const ContactProblem& problem, double along, double quadratic, double linear);
     double lineSearch(const ContactProblem& problem);
     double updateMultipliers(const ContactProblem& problem);

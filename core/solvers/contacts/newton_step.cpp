@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/wide.h"
 #include "core/solvers/contacts/newton.h"
+#include "core/solvers/contacts/wide_columns.h"
 #include "core/solvers/contacts/work_budget.h"
 
 #include <algorithm>
@@ -42,39 +43,54 @@ Eigen::Matrix2d discSlope(const Vec2& z, double radius, double rho) {
     return (rho * radius / size) * (Eigen::Matrix2d::Identity() - t * t.transpose());
 }
 
+// Jᵀ · slope.
+CAROM_INLINE WideColumns3 timesSlope(const Mat36& jacobian, const Mat3& slope) {
+    const double* const j = jacobian.data();
+    const auto row = [&](int k) {
+        return WideColumn{Wide{j[k], j[k + 3], j[k + 6], j[k + 9]}, Wide2{j[k + 12], j[k + 15]}};
+    };
+    const WideColumns3 rows = {row(0), row(1), row(2)};
+    const double* const columns = slope.data();
+    return {times(rows, columns), times(rows, columns + 3), times(rows, columns + 6)};
+}
+
 } // namespace
 
 // Factorises H, or if `coupled` the whole derivative of G.
 bool NewtonSolver::factor(const ContactProblem& problem, bool coupled) {
     m_work += m_rowWork + work::block * static_cast<double>(m_matrix.updates() + problem.bodies.size()) *
                               (coupled ? 2 : 1);
-    m_matrix.setZero();
+    m_matrix.setZero(coupled);
     for (std::size_t i = 0; i < problem.bodies.size(); ++i) {
         m_matrix.addToDiagonal(static_cast<int>(i), massMatrix(problem.bodies[i], m_units.perMass));
     }
     for (std::size_t i = 0; i < m_rows.size(); ++i) addContact(problem.rows[i], m_rows[i], coupled);
     for (std::size_t i = 0; i < problem.springs.size(); ++i) {
         const SoftRow& row = problem.springs[i];
-        const Mat3 slope = (m_units.perMass * row.rate).asDiagonal();
-        addBlocks<3>({row.a, row.b, m_springEdge[i]}, row.jacobianA.transpose() * slope,
-                     row.jacobianB.transpose() * slope, row.jacobianA, row.jacobianB);
+        addSlope(row, m_springEdge[i], (m_units.perMass * row.rate).asDiagonal(), coupled);
     }
     return coupled ? m_matrix.factorGeneral(m_units.length) : m_matrix.factor();
 }
 
-// Adds the products left · right of both bodies of a row to their blocks.
-template<int rows>
-CAROM_INLINE void NewtonSolver::addBlocks(const Place& place, const Eigen::Matrix<double, 6, rows>& leftA,
-                                          const Eigen::Matrix<double, 6, rows>& leftB,
-                                          const Eigen::Matrix<double, rows, 6>& rightA,
-                                          const Eigen::Matrix<double, rows, 6>& rightB) {
-    if (place.a != immobile) m_matrix.addToDiagonal(place.a, leftA * rightA);
-    if (place.b != immobile) m_matrix.addToDiagonal(place.b, leftB * rightB);
-    if (place.edge < 0) return;
-    if (place.a < place.b)
-        m_matrix.addToEdge(at(place.edge), leftA * rightB, leftB * rightA);
-    else
-        m_matrix.addToEdge(at(place.edge), leftB * rightA, leftA * rightB);
+// Adds Jᵀ · slope · J to the blocks of both bodies of a row.
+template<class Row>
+CAROM_INLINE void NewtonSolver::addSlope(const Row& row, int edge, const Mat3& slope, bool coupled) {
+    WideColumns3 leftA{}, leftB{};
+    if (row.a != immobile) {
+        leftA = timesSlope(row.jacobianA, slope);
+        addProduct(leftA, row.jacobianA, m_matrix.diagonal(row.a));
+    }
+    if (row.b != immobile) {
+        leftB = timesSlope(row.jacobianB, slope);
+        addProduct(leftB, row.jacobianB, m_matrix.diagonal(row.b));
+    }
+    if (edge < 0) return;
+    const bool isAfter = m_matrix.isAfter(row.a, row.b);
+    const auto add = [&](bool fromA, Mat6& block) {
+        addProduct(fromA ? leftA : leftB, fromA ? row.jacobianB : row.jacobianA, block);
+    };
+    add(isAfter, m_matrix.lower(at(edge)));
+    if (coupled) add(!isAfter, m_matrix.upper(at(edge)));
 }
 
 CAROM_WIDE void NewtonSolver::addContact(const ContactRow& row, const RowState& state, bool coupled) {
@@ -86,20 +102,33 @@ CAROM_WIDE void NewtonSolver::addContact(const ContactRow& row, const RowState& 
     slope.bottomRightCorner<2, 2>() = discSlope(tangent, row.friction * state.z.x(), rho);
     if (coupled && tangent.norm() > row.friction * state.z.x())
         slope.bottomLeftCorner<2, 1>() = (rho * row.friction) * tangent.normalized();
-    const Place place{row.a, row.b, state.edge};
-    addBlocks<3>(place, row.jacobianA.transpose() * slope, row.jacobianB.transpose() * slope, row.jacobianA,
-                 row.jacobianB);
-    if (!(row.rolling > 0)) return;
+    addSlope(row, state.edge, slope, coupled);
+    if (row.rolling > 0) addRolling(row, state, rho, coupled);
+}
 
-    const Eigen::Matrix2d rollSlope =
+// The same of what resists rolling, which only turns.
+void NewtonSolver::addRolling(const ContactRow& row, const RowState& state, double rho, bool coupled) {
+    const Eigen::Matrix2d slope =
         discSlope(state.rollZ, row.rolling * state.z.x(), m_kappa * m_units.perMass * row.effectiveInertia);
-    Eigen::Matrix<double, 2, 6> across = Eigen::Matrix<double, 2, 6>::Zero();
-    across.rightCols<3>() = row.frame.bottomRows<2>();
-    const Eigen::Matrix<double, 6, 2> left = across.transpose() * rollSlope;
-    addBlocks<2>(place, -left, left, -across, across);
-    if (!coupled || !(state.rollZ.norm() > row.rolling * state.z.x())) return;
-    const Vec6 torque = across.transpose() * ((rho * row.rolling) * state.rollZ.normalized());
-    addBlocks<1>(place, -torque, torque, row.jacobianA.row(0), row.jacobianB.row(0));
+    const Eigen::Matrix<double, 2, 3> across = row.frame.bottomRows<2>();
+    const Mat3 turning = across.transpose() * slope * across;
+    const auto rotation = [](Mat6& block) { return block.bottomRightCorner<3, 3>(); };
+    if (row.a != immobile) rotation(m_matrix.diagonal(row.a)) += turning;
+    if (row.b != immobile) rotation(m_matrix.diagonal(row.b)) += turning;
+    if (state.edge >= 0) rotation(m_matrix.lower(at(state.edge))) -= turning;
+    if (!coupled) return;
+    if (state.edge >= 0) rotation(m_matrix.upper(at(state.edge))) -= turning;
+    if (!(state.rollZ.norm() > row.rolling * state.z.x())) return;
+    // Resistance grows with the force along the normal.
+    const Vec3 torque = across.transpose() * ((rho * row.rolling) * state.rollZ.normalized());
+    if (row.a != immobile) m_matrix.diagonal(row.a).bottomRows<3>() -= torque * row.jacobianA.row(0);
+    if (row.b != immobile) m_matrix.diagonal(row.b).bottomRows<3>() += torque * row.jacobianB.row(0);
+    if (state.edge < 0) return;
+    const bool isAfter = m_matrix.isAfter(row.a, row.b);
+    Mat6& fromA = isAfter ? m_matrix.lower(at(state.edge)) : m_matrix.upper(at(state.edge));
+    Mat6& fromB = isAfter ? m_matrix.upper(at(state.edge)) : m_matrix.lower(at(state.edge));
+    fromA.bottomRows<3>() -= torque * row.jacobianB.row(0);
+    fromB.bottomRows<3>() += torque * row.jacobianA.row(0);
 }
 
 // sᵀ G(v + along s).
