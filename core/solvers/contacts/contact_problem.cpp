@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/solvers/contacts/contact_problem.h"
 
+#include "core/base/wide.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace carom {
 namespace {
 
-Vec6 inverseMassTimes(const ContactBody& body, const Vec6& impulse) {
+CAROM_INLINE Vec6 inverseMassTimes(const ContactBody& body, const Vec6& impulse) {
     Vec6 change;
     change.head<3>() = impulse.head<3>() / body.mass;
     change.tail<3>().noalias() = body.inverseInertia * impulse.tail<3>();
@@ -84,28 +86,6 @@ void prepareRow(const ContactProblem& problem, const Mat3& frame, const Vec3& ar
     row.effectiveMass = 1 / along;
 }
 
-Vec2 rollingVelocity(const ContactProblem& problem, const ContactRow& row) {
-    Vec3 spin = Vec3::Zero();
-    if (row.a != immobile) spin -= problem.bodies[static_cast<std::size_t>(row.a)].velocity.tail<3>();
-    if (row.b != immobile) spin += problem.bodies[static_cast<std::size_t>(row.b)].velocity.tail<3>();
-    return row.frame.bottomRows<2>() * spin;
-}
-
-Projected projectOnCone(const ContactRow& row, const Vec3& z, const Vec2& rollingZ) {
-    Projected p;
-    if (!(z.x() > 0)) return p;
-    p.impulse.x() = z.x();
-    const double radius = row.friction * z.x();
-    const double size = z.tail<2>().norm();
-    if (radius > 0)
-        p.impulse.tail<2>() = size > radius ? Vec2(z.tail<2>() * (radius / size)) : Vec2(z.tail<2>());
-    const double rollingRadius = row.rolling * z.x();
-    const double rollingSize = rollingZ.norm();
-    if (rollingRadius > 0)
-        p.rolling = rollingSize > rollingRadius ? Vec2(rollingZ * (rollingRadius / rollingSize)) : rollingZ;
-    return p;
-}
-
 void chooseUnits(const ContactProblem& problem, ProblemUnits& units) {
     units.length.clear();
     double heaviest = 0;
@@ -123,19 +103,12 @@ Mat6 massMatrix(const ContactBody& body, double perMass) {
     return mass;
 }
 
-Vec6 momentumOf(const ContactBody& body, const Vec6& velocity) {
-    Vec6 momentum;
-    momentum.head<3>() = body.mass * velocity.head<3>();
-    momentum.tail<3>().noalias() = body.inertia * velocity.tail<3>();
-    return momentum;
-}
-
-void velocitiesFromImpulses(ContactProblem& problem) {
+CAROM_WIDE void velocitiesFromImpulses(ContactProblem& problem) {
     for (ContactBody& body : problem.bodies) body.velocity.setZero(); // the impulse, for now
     const auto add = [&](int index, const Mat36& jacobian, const Vec3& impulse) {
-        if (index != immobile)
-            problem.bodies[static_cast<std::size_t>(index)].velocity.noalias() +=
-                jacobian.transpose() * impulse;
+        if (index == immobile) return;
+        double* const sum = problem.bodies[at(index)].velocity.data();
+        storeColumn(sum, loadColumn(sum) + times(rowsOf(jacobian), impulse.data()));
     };
     for (const ContactRow& row : problem.rows) {
         add(row.a, row.jacobianA, row.impulse);
@@ -155,7 +128,7 @@ void velocitiesFromImpulses(ContactProblem& problem) {
     }
 }
 
-double residualOf(const ContactProblem& problem) {
+CAROM_WIDE double residualOf(const ContactProblem& problem) {
     double residual = 0;
     for (const ContactRow& row : problem.rows) {
         Vec3 u = relativeVelocity(problem, row);

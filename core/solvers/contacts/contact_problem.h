@@ -3,6 +3,7 @@
 
 #include "core/math/types.h"
 #include "core/solvers/contacts/block_matrix.h"
+#include "core/solvers/contacts/wide_columns.h"
 
 #include <algorithm>
 #include <vector>
@@ -93,25 +94,53 @@ void prepareRow(const ContactProblem& problem, ContactRow& row);
 void prepareRow(const ContactProblem& problem, const Mat3& frame, const Vec3& armA, const Vec3& armB,
                 SoftRow& row);
 
+/// The difference of what moves the two points of a row, `velocityOf` a body: u of the row if that is the
+/// body's velocity.
+template<class Row, class Velocity>
+CAROM_INLINE Vec3 velocityAlong(const Row& row, const Velocity& velocityOf) {
+    Wide u{};
+    if (row.a != immobile) u = u + times(row.jacobianA, velocityOf(at(row.a)));
+    if (row.b != immobile) u = u + times(row.jacobianB, velocityOf(at(row.b)));
+    return {u[0], u[1], u[2]};
+}
+/// The same for ωᵣ, about t1 and t2.
+template<class Velocity>
+CAROM_INLINE Vec2 spinAlong(const ContactRow& row, const Velocity& velocityOf) {
+    Vec3 spin = Vec3::Zero();
+    if (row.a != immobile) spin -= velocityOf(at(row.a)).template tail<3>();
+    if (row.b != immobile) spin += velocityOf(at(row.b)).template tail<3>();
+    return row.frame.bottomRows<2>() * spin;
+}
+
 /// u of a row at the bodies' velocities.
 template<class Row>
-Vec3 relativeVelocity(const ContactProblem& problem, const Row& row) {
-    Vec3 u = Vec3::Zero();
-    if (row.a != immobile)
-        u.noalias() += row.jacobianA * problem.bodies[static_cast<std::size_t>(row.a)].velocity;
-    if (row.b != immobile)
-        u.noalias() += row.jacobianB * problem.bodies[static_cast<std::size_t>(row.b)].velocity;
-    return u;
+CAROM_INLINE Vec3 relativeVelocity(const ContactProblem& problem, const Row& row) {
+    return velocityAlong(row, [&](std::size_t body) -> const Vec6& { return problem.bodies[body].velocity; });
 }
 /// ωᵣ of a row, about t1 and t2.
-Vec2 rollingVelocity(const ContactProblem& problem, const ContactRow& row);
+CAROM_INLINE Vec2 rollingVelocity(const ContactProblem& problem, const ContactRow& row) {
+    return spinAlong(row, [&](std::size_t body) -> const Vec6& { return problem.bodies[body].velocity; });
+}
 
 /// p from z = p − ϱ (u + b n): the nearest point of the cone in the sense of the fixed point above.
 struct Projected {
     Vec3 impulse = Vec3::Zero();
     Vec2 rolling = Vec2::Zero();
 };
-Projected projectOnCone(const ContactRow& row, const Vec3& z, const Vec2& rollingZ);
+CAROM_INLINE Projected projectOnCone(const ContactRow& row, const Vec3& z, const Vec2& rollingZ) {
+    Projected p;
+    if (!(z.x() > 0)) return p;
+    p.impulse.x() = z.x();
+    const double radius = row.friction * z.x();
+    const double size = z.tail<2>().norm();
+    if (radius > 0)
+        p.impulse.tail<2>() = size > radius ? Vec2(z.tail<2>() * (radius / size)) : Vec2(z.tail<2>());
+    const double rollingRadius = row.rolling * z.x();
+    const double rollingSize = rollingZ.norm();
+    if (rollingRadius > 0)
+        p.rolling = rollingSize > rollingRadius ? Vec2(rollingZ * (rollingRadius / rollingSize)) : rollingZ;
+    return p;
+}
 
 /// A unit of mass for a problem and one of length for each of its bodies, powers of two all: in them the
 /// numbers of its matrix are about 1, and the same problem in other units gives the same bits.
@@ -123,7 +152,12 @@ void chooseUnits(const ContactProblem& problem, ProblemUnits& units);
 /// Mass and inertia of a body as a matrix, times `perMass`.
 Mat6 massMatrix(const ContactBody& body, double perMass);
 /// The same times a velocity: M v.
-Vec6 momentumOf(const ContactBody& body, const Vec6& velocity);
+CAROM_INLINE Vec6 momentumOf(const ContactBody& body, const Vec6& velocity) {
+    Vec6 momentum;
+    momentum.head<3>() = body.mass * velocity.head<3>();
+    momentum.tail<3>().noalias() = body.inertia * velocity.tail<3>();
+    return momentum;
+}
 
 /// v := v̂ + M⁻¹ Jᵀ p, so that momentum is exact to rounding.
 void velocitiesFromImpulses(ContactProblem& problem);

@@ -79,6 +79,8 @@ void NewtonSolver::reserve(std::size_t bodies, std::size_t rows) {
     m_gradient.reserve(bodies);
     m_step.reserve(bodies);
     m_saved.reserve(bodies);
+    m_savedRows.reserve(rows);
+    m_savedGradient.reserve(bodies);
     m_best.reserve(bodies);
     m_solved.reserve(bodies);
     m_matrix.reserve(bodies);
@@ -323,6 +325,9 @@ bool NewtonSolver::isFactored() const {
 // Takes the whole step, if it lets the error fall to this part of it.
 bool NewtonSolver::tryStep(ContactProblem& problem, double part, double& error) {
     saveVelocities(problem, m_saved);
+    m_savedRows.assign(m_rows.begin(), m_rows.end());
+    m_savedSpringU = m_springU;
+    m_savedGradient = m_gradient;
     for (std::size_t i = 0; i < m_step.size(); ++i) problem.bodies[i].velocity += m_step[i];
     const double after = errorAt(problem);
     if (after <= part * error) {
@@ -330,7 +335,10 @@ bool NewtonSolver::tryStep(ContactProblem& problem, double part, double& error) 
         return true;
     }
     takeVelocities(m_saved, problem);
-    errorAt(problem);
+    m_work += m_rowWork; // as if all were computed again
+    for (std::size_t i = 0; i < m_rows.size(); ++i) static_cast<RowValues&>(m_rows[i]) = m_savedRows[i];
+    std::swap(m_springU, m_savedSpringU);
+    std::swap(m_gradient, m_savedGradient);
     return false;
 }
 
@@ -361,7 +369,7 @@ CAROM_WIDE void NewtonSolver::evaluateRows(const ContactProblem& problem) {
         m_springU[i] = relativeVelocity(problem, problem.springs[i]);
 }
 
-NewtonSolver::Side NewtonSolver::sideOf(const ContactRow& row, const RowState& state) {
+CAROM_INLINE NewtonSolver::Side NewtonSolver::sideOf(const ContactRow& row, const RowState& state) {
     const double normal = state.z.x();
     if (!(normal > 0)) return Side::Open;
     const bool slips = (row.friction > 0 && state.z.tail<2>().norm() > row.friction * normal) ||
@@ -388,8 +396,13 @@ CAROM_WIDE double NewtonSolver::gradient(const ContactProblem& problem) {
         m_gradient[i] =
             momentumOf(problem.bodies[i], problem.bodies[i].velocity - problem.bodies[i].freeVelocity);
     const auto subtract = [&](const auto& row, const Vec3& impulse) {
-        if (row.a != immobile) m_gradient[at(row.a)].noalias() -= row.jacobianA.transpose() * impulse;
-        if (row.b != immobile) m_gradient[at(row.b)].noalias() -= row.jacobianB.transpose() * impulse;
+        const auto from = [&](int body, const Mat36& jacobian) {
+            if (body == immobile) return;
+            double* const sum = m_gradient[at(body)].data();
+            storeColumn(sum, loadColumn(sum) - times(rowsOf(jacobian), impulse.data()));
+        };
+        from(row.a, row.jacobianA);
+        from(row.b, row.jacobianB);
     };
     for (std::size_t i = 0; i < m_rows.size(); ++i) {
         const ContactRow& row = problem.rows[i];

@@ -69,18 +69,24 @@ class NewtonSolver {
   private:
     /// What a contact does where its multipliers are projected.
     enum class Side : std::uint8_t { Open, Sticks, Slips };
-    struct RowState {
-        Vec3 u = Vec3::Zero(), du = Vec3::Zero(); // with the bound; along the step
-        Vec2 roll = Vec2::Zero(), droll = Vec2::Zero();
+    /// What a row is at the velocities that it was looked at last.
+    struct RowValues {
+        Vec3 u = Vec3::Zero(); // with the bound
+        Vec2 roll = Vec2::Zero();
+        Vec3 z = Vec3::Zero();
+        Vec2 rollZ = Vec2::Zero();
+        Projected p;
+        Side side = Side::Open; // at z
+    };
+    struct RowState : RowValues {
+        Vec3 du = Vec3::Zero(); // along the step
+        Vec2 droll = Vec2::Zero();
         Vec3 l = Vec3::Zero();
         Vec2 rollL = Vec2::Zero();
         Vec3 drift = Vec3::Zero(); // of l in the last round, as a speed
         Vec2 rollDrift = Vec2::Zero();
-        Vec3 z = Vec3::Zero();
-        Vec2 rollZ = Vec2::Zero();
-        Projected p;
         int edge = -1;
-        Side side = Side::Open, factoredSide = Side::Open; // at z; when the matrix was factored
+        Side factoredSide = Side::Open; // when the matrix was factored
     };
     /// Factorisations of an inner problem: so many at most; beyond `surely` while the error falls fast.
     struct Steps {
@@ -130,7 +136,10 @@ class NewtonSolver {
     ProblemUnits m_units; // that H is written in, and its pivots are chosen in
     std::vector<BlockEdge> m_edges;
     std::vector<std::pair<Vec3, Vec2>> m_first; // by row: the impulses of the start
-    std::vector<Vec6> m_gradient, m_step, m_saved;
+    std::vector<Vec6> m_gradient, m_step;
+    std::vector<Vec6> m_saved, m_savedGradient; // before a step that is tried
+    std::vector<RowValues> m_savedRows;
+    std::vector<Vec3> m_savedSpringU;
     std::vector<Vec6> m_best;   // velocities of the least error of an inner problem
     std::vector<Vec6> m_solved; // and those of the inner problem that was solved last
     BlockMatrix m_matrix;

@@ -19,23 +19,8 @@ constexpr double slopeFall = 0.1;
 /// keeps from ending costs half as much.
 constexpr int mostSlopes = 40;
 
-template<class Row>
-Vec3 velocityAlong(const Row& row, const std::vector<Vec6>& step) {
-    Vec3 du = Vec3::Zero();
-    if (row.a != immobile) du.noalias() += row.jacobianA * step[at(row.a)];
-    if (row.b != immobile) du.noalias() += row.jacobianB * step[at(row.b)];
-    return du;
-}
-
-Vec2 spinAlong(const ContactRow& row, const std::vector<Vec6>& step) {
-    Vec3 spin = Vec3::Zero();
-    if (row.a != immobile) spin -= step[at(row.a)].tail<3>();
-    if (row.b != immobile) spin += step[at(row.b)].tail<3>();
-    return row.frame.bottomRows<2>() * spin;
-}
-
 /// The derivative of the projection of a two-vector on a disc of the given radius, times `rho`.
-Eigen::Matrix2d discSlope(const Vec2& z, double radius, double rho) {
+CAROM_INLINE Eigen::Matrix2d discSlope(const Vec2& z, double radius, double rho) {
     if (!(radius > 0)) return Eigen::Matrix2d::Zero();
     const double size = z.norm();
     if (size <= radius) return rho * Eigen::Matrix2d::Identity();
@@ -45,11 +30,7 @@ Eigen::Matrix2d discSlope(const Vec2& z, double radius, double rho) {
 
 // Jᵀ · slope.
 CAROM_INLINE WideColumns3 timesSlope(const Mat36& jacobian, const Mat3& slope) {
-    const double* const j = jacobian.data();
-    const auto row = [&](int k) {
-        return WideColumn{Wide{j[k], j[k + 3], j[k + 6], j[k + 9]}, Wide2{j[k + 12], j[k + 15]}};
-    };
-    const WideColumns3 rows = {row(0), row(1), row(2)};
+    const WideColumns3 rows = rowsOf(jacobian);
     const double* const columns = slope.data();
     return {times(rows, columns), times(rows, columns + 3), times(rows, columns + 6)};
 }
@@ -93,21 +74,9 @@ CAROM_INLINE void NewtonSolver::addSlope(const Row& row, int edge, const Mat3& s
     if (coupled) add(!isAfter, m_matrix.upper(at(edge)));
 }
 
-CAROM_WIDE void NewtonSolver::addContact(const ContactRow& row, const RowState& state, bool coupled) {
-    if (!(state.z.x() > 0)) return;
-    const double rho = m_kappa * m_units.perMass * row.effectiveMass;
-    Mat3 slope = Mat3::Zero();
-    slope(0, 0) = rho;
-    const Vec2 tangent = state.z.tail<2>();
-    slope.bottomRightCorner<2, 2>() = discSlope(tangent, row.friction * state.z.x(), rho);
-    if (coupled && tangent.norm() > row.friction * state.z.x())
-        slope.bottomLeftCorner<2, 1>() = (rho * row.friction) * tangent.normalized();
-    addSlope(row, state.edge, slope, coupled);
-    if (row.rolling > 0) addRolling(row, state, rho, coupled);
-}
-
 // The same of what resists rolling, which only turns.
-void NewtonSolver::addRolling(const ContactRow& row, const RowState& state, double rho, bool coupled) {
+CAROM_INLINE void NewtonSolver::addRolling(const ContactRow& row, const RowState& state, double rho,
+                                           bool coupled) {
     const Eigen::Matrix2d slope =
         discSlope(state.rollZ, row.rolling * state.z.x(), m_kappa * m_units.perMass * row.effectiveInertia);
     const Eigen::Matrix<double, 2, 3> across = row.frame.bottomRows<2>();
@@ -131,6 +100,19 @@ void NewtonSolver::addRolling(const ContactRow& row, const RowState& state, doub
     fromB.bottomRows<3>() += torque * row.jacobianA.row(0);
 }
 
+CAROM_WIDE void NewtonSolver::addContact(const ContactRow& row, const RowState& state, bool coupled) {
+    if (!(state.z.x() > 0)) return;
+    const double rho = m_kappa * m_units.perMass * row.effectiveMass;
+    Mat3 slope = Mat3::Zero();
+    slope(0, 0) = rho;
+    const Vec2 tangent = state.z.tail<2>();
+    slope.bottomRightCorner<2, 2>() = discSlope(tangent, row.friction * state.z.x(), rho);
+    if (coupled && tangent.norm() > row.friction * state.z.x())
+        slope.bottomLeftCorner<2, 1>() = (rho * row.friction) * tangent.normalized();
+    addSlope(row, state.edge, slope, coupled);
+    if (row.rolling > 0) addRolling(row, state, rho, coupled);
+}
+
 // sᵀ G(v + along s).
 double NewtonSolver::slope(const ContactProblem& problem, double along, double quadratic, double linear) {
     project(problem, along);
@@ -150,12 +132,13 @@ double NewtonSolver::slope(const ContactProblem& problem, double along, double q
 // The step length at which the slope vanishes. Near the solution, differences of the objective are lost in
 // rounding; the slope is not.
 CAROM_WIDE double NewtonSolver::lineSearch(const ContactProblem& problem) {
+    const auto step = [&](std::size_t body) -> const Vec6& { return m_step[body]; };
     for (std::size_t i = 0; i < m_rows.size(); ++i) {
-        m_rows[i].du = velocityAlong(problem.rows[i], m_step);
-        if (problem.rows[i].rolling > 0) m_rows[i].droll = spinAlong(problem.rows[i], m_step);
+        m_rows[i].du = velocityAlong(problem.rows[i], step);
+        if (problem.rows[i].rolling > 0) m_rows[i].droll = spinAlong(problem.rows[i], step);
     }
     for (std::size_t i = 0; i < m_springDu.size(); ++i)
-        m_springDu[i] = velocityAlong(problem.springs[i], m_step);
+        m_springDu[i] = velocityAlong(problem.springs[i], step);
     double quadratic = 0, linear = 0, start = 0;
     for (std::size_t i = 0; i < m_step.size(); ++i) {
         const ContactBody& body = problem.bodies[i];

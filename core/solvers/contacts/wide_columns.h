@@ -4,8 +4,8 @@
 #include "core/base/wide.h"
 #include "core/solvers/contacts/block_matrix.h"
 
-// Products of blocks, a column of six at a time. Terms are added in the order of the sum, from the first on,
-// so results have the bits of plain loops.
+// Products of blocks and of Jacobians, a column at a time. Terms are added in the order of the sum, from the
+// first on, so results have the bits of plain loops.
 
 namespace carom {
 
@@ -49,6 +49,28 @@ CAROM_INLINE WideColumns6 loadColumns(const Mat6& block) {
     const double* const from = block.data();
     return {loadColumn(from),      loadColumn(from + 6),  loadColumn(from + 12),
             loadColumn(from + 18), loadColumn(from + 24), loadColumn(from + 30)};
+}
+
+/// The rows of a Jacobian.
+CAROM_INLINE WideColumns3 rowsOf(const Eigen::Matrix<double, 3, 6>& jacobian) {
+    const double* const j = jacobian.data();
+    const auto row = [&](int k) {
+        return WideColumn{Wide{j[k], j[k + 3], j[k + 6], j[k + 9]}, Wide2{j[k + 12], j[k + 15]}};
+    };
+    return {row(0), row(1), row(2)};
+}
+
+/// A Jacobian times a velocity, in the first three lanes. Terms of the first two are added in their order,
+/// those of the third by halves, as Eigen does.
+CAROM_INLINE Wide times(const Eigen::Matrix<double, 3, 6>& jacobian, const Vec6& velocity) {
+    const double* const j = jacobian.data();
+    const Wide end = loadUnaligned(j + 14); // no further: nothing of it lies behind
+    const Wide p0 = velocity[0] * loadUnaligned(j), p1 = velocity[1] * loadUnaligned(j + 3),
+               p2 = velocity[2] * loadUnaligned(j + 6), p3 = velocity[3] * loadUnaligned(j + 9),
+               p4 = velocity[4] * loadUnaligned(j + 12),
+               p5 = velocity[5] * __builtin_shufflevector(end, end, 1, 2, 3, 3);
+    const Wide inOrder = p0 + p1 + p2 + p3 + p4 + p5, byHalves = (p0 + (p1 + p2)) + (p3 + (p4 + p5));
+    return __builtin_shufflevector(inOrder, byHalves, 0, 1, 6, 7);
 }
 
 /// The matrix times a column, whose entries are `stride` apart.
