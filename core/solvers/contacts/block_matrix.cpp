@@ -77,22 +77,33 @@ CAROM_INLINE Mat6 inverseOfLower(const Mat6& lower) {
 /// none.
 CAROM_INLINE Mat6 inverseOf(const Mat6& block) {
     Mat6 left = block.transpose(), inverse = Mat6::Identity(); // what were rows are columns here
+    const auto column = [](Mat6& of, int i) { return of.data() + 6 * i; };
+    const auto exchange = [&](Mat6& of, int i, int k) {
+        const WideColumn first = loadColumn(column(of, i));
+        storeColumn(column(of, i), loadColumn(column(of, k)));
+        storeColumn(column(of, k), first);
+    };
     for (int j = 0; j < 6; ++j) {
         int pivot = j;
         for (int i = j + 1; i < 6; ++i)
             if (std::abs(left(j, i)) > std::abs(left(j, pivot))) pivot = i;
-        left.col(j).swap(left.col(pivot));
-        inverse.col(j).swap(inverse.col(pivot));
+        if (pivot != j) {
+            exchange(left, j, pivot);
+            exchange(inverse, j, pivot);
+        }
         const double reciprocal = 1 / left(j, j);
+        const WideColumn fromLeft = loadColumn(column(left, j)), fromInverse = loadColumn(column(inverse, j));
         for (int i = j + 1; i < 6; ++i) {
             const double part = left(j, i) * reciprocal;
-            left.col(i) -= part * left.col(j);
-            inverse.col(i) -= part * inverse.col(j);
+            storeColumn(column(left, i), loadColumn(column(left, i)) - part * fromLeft);
+            storeColumn(column(inverse, i), loadColumn(column(inverse, i)) - part * fromInverse);
         }
     }
     for (int j = 5; j >= 0; --j) {
-        inverse.col(j) *= 1 / left(j, j);
-        for (int i = 0; i < j; ++i) inverse.col(i) -= left(j, i) * inverse.col(j);
+        const WideColumn scaled = (1 / left(j, j)) * loadColumn(column(inverse, j));
+        storeColumn(column(inverse, j), scaled);
+        for (int i = 0; i < j; ++i)
+            storeColumn(column(inverse, i), loadColumn(column(inverse, i)) - left(j, i) * scaled);
     }
     return inverse.transpose();
 }
@@ -221,11 +232,14 @@ std::size_t BlockMatrix::lowerIndex(int row, int column) const {
     return static_cast<std::size_t>(at - m_rows.begin());
 }
 
-void BlockMatrix::setZero(bool general) {
-    for (Mat6& block : m_diagonal) block.setZero();
-    for (Mat6& block : m_lower) block.setZero();
-    if (!general) return;
-    for (Mat6& block : m_upper) block.setZero();
+void BlockMatrix::setZero() {
+    std::fill(m_diagonal.begin(), m_diagonal.end(), Mat6::Zero());
+    setZeroBeside(true);
+}
+
+void BlockMatrix::setZeroBeside(bool general) {
+    std::fill(m_lower.begin(), m_lower.end(), Mat6::Zero());
+    if (general) std::fill(m_upper.begin(), m_upper.end(), Mat6::Zero());
 }
 
 void BlockMatrix::addToEdge(std::size_t edge, const Mat6& value) {

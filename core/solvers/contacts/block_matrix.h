@@ -43,8 +43,9 @@ class BlockMatrix {
     /// Blocks below the diagonal, fill-in included.
     std::size_t couplings() const { return m_rows.size(); }
 
-    /// Of a `general` matrix all blocks, else those of the diagonal and below it.
-    void setZero(bool general = true);
+    void setZero();
+    /// Only the blocks beside the diagonal, of a `general` matrix those above it, too.
+    void setZeroBeside(bool general);
     void addToDiagonal(int block, const Mat6& value) { m_diagonal[place(block)] += value; }
     /// The blocks themselves, to add to: of the diagonal, and of an edge between a and b, where the lower one
     /// is at (row a, column b) if a is eliminated after b.

@@ -99,7 +99,7 @@ void chooseUnits(const ContactProblem& problem, ProblemUnits& units) {
 Mat6 massMatrix(const ContactBody& body, double perMass) {
     Mat6 mass = Mat6::Zero();
     mass.topLeftCorner<3, 3>().diagonal().setConstant(perMass * body.mass);
-    mass.bottomRightCorner<3, 3>() = perMass * body.inertia;
+    mass.bottomRightCorner<3, 3>() = Mat3::Zero() + perMass * body.inertia; // no −0
     return mass;
 }
 

@@ -6,6 +6,7 @@
 #include "core/solvers/contacts/wide_columns.h"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 // What the contact solvers solve, for the bodies of one island: find velocities v and impulses p such that
@@ -122,6 +123,15 @@ CAROM_INLINE Vec2 rollingVelocity(const ContactProblem& problem, const ContactRo
     return spinAlong(row, [&](std::size_t body) -> const Vec6& { return problem.bodies[body].velocity; });
 }
 
+/// |z| where it is more than `radius`, else 0. The root is taken only where rounding may decide.
+CAROM_INLINE double sizeBeyond(const Vec2& z, double radius) {
+    constexpr double surely = 1 - 1e-15; // some units in the last place
+    const double square = z.squaredNorm();
+    if (square < surely * (radius * radius)) return 0;
+    const double size = std::sqrt(square);
+    return size > radius ? size : 0;
+}
+
 /// p from z = p − ϱ (u + b n): the nearest point of the cone in the sense of the fixed point above.
 struct Projected {
     Vec3 impulse = Vec3::Zero();
@@ -131,14 +141,14 @@ CAROM_INLINE Projected projectOnCone(const ContactRow& row, const Vec3& z, const
     Projected p;
     if (!(z.x() > 0)) return p;
     p.impulse.x() = z.x();
+    const auto project = [](const Vec2& point, double radius) {
+        const double size = sizeBeyond(point, radius);
+        return size > 0 ? Vec2(point * (radius / size)) : point;
+    };
     const double radius = row.friction * z.x();
-    const double size = z.tail<2>().norm();
-    if (radius > 0)
-        p.impulse.tail<2>() = size > radius ? Vec2(z.tail<2>() * (radius / size)) : Vec2(z.tail<2>());
+    if (radius > 0) p.impulse.tail<2>() = project(z.tail<2>(), radius);
     const double rollingRadius = row.rolling * z.x();
-    const double rollingSize = rollingZ.norm();
-    if (rollingRadius > 0)
-        p.rolling = rollingSize > rollingRadius ? Vec2(rollingZ * (rollingRadius / rollingSize)) : rollingZ;
+    if (rollingRadius > 0) p.rolling = project(rollingZ, rollingRadius);
     return p;
 }
 

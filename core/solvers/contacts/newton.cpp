@@ -372,8 +372,8 @@ CAROM_WIDE void NewtonSolver::evaluateRows(const ContactProblem& problem) {
 CAROM_INLINE NewtonSolver::Side NewtonSolver::sideOf(const ContactRow& row, const RowState& state) {
     const double normal = state.z.x();
     if (!(normal > 0)) return Side::Open;
-    const bool slips = (row.friction > 0 && state.z.tail<2>().norm() > row.friction * normal) ||
-                       (row.rolling > 0 && state.rollZ.norm() > row.rolling * normal);
+    const bool slips = (row.friction > 0 && sizeBeyond(state.z.tail<2>(), row.friction * normal) > 0) ||
+                       (row.rolling > 0 && sizeBeyond(state.rollZ, row.rolling * normal) > 0);
     return slips ? Side::Slips : Side::Sticks;
 }
 

@@ -22,8 +22,8 @@ constexpr int mostSlopes = 40;
 /// The derivative of the projection of a two-vector on a disc of the given radius, times `rho`.
 CAROM_INLINE Eigen::Matrix2d discSlope(const Vec2& z, double radius, double rho) {
     if (!(radius > 0)) return Eigen::Matrix2d::Zero();
-    const double size = z.norm();
-    if (size <= radius) return rho * Eigen::Matrix2d::Identity();
+    const double size = sizeBeyond(z, radius);
+    if (!(size > 0)) return rho * Eigen::Matrix2d::Identity();
     const Vec2 t = z / size;
     return (rho * radius / size) * (Eigen::Matrix2d::Identity() - t * t.transpose());
 }
@@ -41,10 +41,9 @@ CAROM_INLINE WideColumns3 timesSlope(const Mat36& jacobian, const Mat3& slope) {
 bool NewtonSolver::factor(const ContactProblem& problem, bool coupled) {
     m_work += m_rowWork + work::block * static_cast<double>(m_matrix.updates() + problem.bodies.size()) *
                               (coupled ? 2 : 1);
-    m_matrix.setZero(coupled);
-    for (std::size_t i = 0; i < problem.bodies.size(); ++i) {
-        m_matrix.addToDiagonal(static_cast<int>(i), massMatrix(problem.bodies[i], m_units.perMass));
-    }
+    m_matrix.setZeroBeside(coupled);
+    for (std::size_t i = 0; i < problem.bodies.size(); ++i)
+        m_matrix.diagonal(static_cast<int>(i)) = massMatrix(problem.bodies[i], m_units.perMass);
     for (std::size_t i = 0; i < m_rows.size(); ++i) addContact(problem.rows[i], m_rows[i], coupled);
     for (std::size_t i = 0; i < problem.springs.size(); ++i) {
         const SoftRow& row = problem.springs[i];
@@ -56,7 +55,7 @@ bool NewtonSolver::factor(const ContactProblem& problem, bool coupled) {
 // Adds Jᵀ · slope · J to the blocks of both bodies of a row.
 template<class Row>
 CAROM_INLINE void NewtonSolver::addSlope(const Row& row, int edge, const Mat3& slope, bool coupled) {
-    WideColumns3 leftA{}, leftB{};
+    WideColumns3 leftA, leftB;
     if (row.a != immobile) {
         leftA = timesSlope(row.jacobianA, slope);
         addProduct(leftA, row.jacobianA, m_matrix.diagonal(row.a));
@@ -87,7 +86,7 @@ CAROM_INLINE void NewtonSolver::addRolling(const ContactRow& row, const RowState
     if (state.edge >= 0) rotation(m_matrix.lower(at(state.edge))) -= turning;
     if (!coupled) return;
     if (state.edge >= 0) rotation(m_matrix.upper(at(state.edge))) -= turning;
-    if (!(state.rollZ.norm() > row.rolling * state.z.x())) return;
+    if (!(sizeBeyond(state.rollZ, row.rolling * state.z.x()) > 0)) return;
     // Resistance grows with the force along the normal.
     const Vec3 torque = across.transpose() * ((rho * row.rolling) * state.rollZ.normalized());
     if (row.a != immobile) m_matrix.diagonal(row.a).bottomRows<3>() -= torque * row.jacobianA.row(0);
@@ -107,7 +106,7 @@ CAROM_WIDE void NewtonSolver::addContact(const ContactRow& row, const RowState& 
     slope(0, 0) = rho;
     const Vec2 tangent = state.z.tail<2>();
     slope.bottomRightCorner<2, 2>() = discSlope(tangent, row.friction * state.z.x(), rho);
-    if (coupled && tangent.norm() > row.friction * state.z.x())
+    if (coupled && sizeBeyond(tangent, row.friction * state.z.x()) > 0)
         slope.bottomLeftCorner<2, 1>() = (rho * row.friction) * tangent.normalized();
     addSlope(row, state.edge, slope, coupled);
     if (row.rolling > 0) addRolling(row, state, rho, coupled);
