@@ -108,11 +108,13 @@ ContactConstraint CentredPair::constraintOf(const ContactPoint& found, const Mat
 } // namespace
 
 double coneViolationOf(const ContactSet& set) {
+    constexpr double surely = 1 - 1e-15; // below it, rounding cannot put a force outside
     double worst = 0;
     for (const ContactPair& pair : set.pairs)
         for (const ContactConstraint& point : set.pointsOf(pair)) {
-            const double size = point.force.norm(),
-                         outside = point.force.tail<2>().norm() - pair.friction * point.force.x();
+            const double most = pair.friction * point.force.x(), square = point.force.tail<2>().squaredNorm();
+            if (most >= 0 && (square == 0 || square < surely * (most * most))) continue;
+            const double size = point.force.norm(), outside = std::sqrt(square) - most;
             if (size > 0) worst = std::max(worst, outside / size);
         }
     return worst;

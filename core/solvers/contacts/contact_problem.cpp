@@ -86,6 +86,10 @@ void prepareRow(const ContactProblem& problem, const Mat3& frame, const Vec3& ar
     row.effectiveMass = 1 / along;
 }
 
+Vec2 rollingVelocity(const ContactProblem& problem, const ContactRow& row) {
+    return spinAlong(row, [&](std::size_t body) -> const Vec6& { return problem.bodies[body].velocity; });
+}
+
 void chooseUnits(const ContactProblem& problem, ProblemUnits& units) {
     units.length.clear();
     double heaviest = 0;

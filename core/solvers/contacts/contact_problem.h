@@ -119,9 +119,7 @@ CAROM_INLINE Vec3 relativeVelocity(const ContactProblem& problem, const Row& row
     return velocityAlong(row, [&](std::size_t body) -> const Vec6& { return problem.bodies[body].velocity; });
 }
 /// ωᵣ of a row, about t1 and t2.
-CAROM_INLINE Vec2 rollingVelocity(const ContactProblem& problem, const ContactRow& row) {
-    return spinAlong(row, [&](std::size_t body) -> const Vec6& { return problem.bodies[body].velocity; });
-}
+Vec2 rollingVelocity(const ContactProblem& problem, const ContactRow& row);
 
 /// |z| where it is more than `radius`, else 0. The root is taken only where rounding may decide.
 CAROM_INLINE double sizeBeyond(const Vec2& z, double radius) {

@@ -359,11 +359,12 @@ bool NewtonSolver::stepCoupled(ContactProblem& problem, double& error, int& step
 }
 
 CAROM_WIDE void NewtonSolver::evaluateRows(const ContactProblem& problem) {
+    const auto velocity = [&](std::size_t body) -> const Vec6& { return problem.bodies[body].velocity; };
     for (std::size_t i = 0; i < m_rows.size(); ++i) {
         const ContactRow& row = problem.rows[i];
-        m_rows[i].u = relativeVelocity(problem, row);
+        m_rows[i].u = velocityAlong(row, velocity);
         m_rows[i].u.x() += row.bound;
-        if (row.rolling > 0) m_rows[i].roll = rollingVelocity(problem, row);
+        if (row.rolling > 0) m_rows[i].roll = spinAlong(row, velocity);
     }
     for (std::size_t i = 0; i < m_springU.size(); ++i)
         m_springU[i] = relativeVelocity(problem, problem.springs[i]);
