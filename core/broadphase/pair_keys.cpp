@@ -2,21 +2,23 @@
 #include "core/broadphase/pair_keys.h"
 
 namespace carom {
+namespace {
+
+/// Pairs that one thread translates at least.
+constexpr std::size_t fewTranslated = Workers::enoughOf(1);
+
+} // namespace
 
 void PairOrder::tidy(std::vector<PairKey>& keys, const BroadphaseInput& input) {
-    m_firstEnds.assign(input.boxes.size() + 1, 0);
-    m_secondEnds.assign(input.boxes.size() + 1, 0);
-    for (const PairKey key : keys) {
-        ++m_firstEnds[firstOf(key) + 1];
-        ++m_secondEnds[secondOf(key) + 1];
-    }
-    for (std::size_t i = 1; i < m_firstEnds.size(); ++i) {
-        m_firstEnds[i] += m_firstEnds[i - 1];
-        m_secondEnds[i] += m_secondEnds[i - 1];
-    }
     m_bySecond.resize(keys.size());
-    for (const PairKey key : keys) m_bySecond[m_secondEnds[secondOf(key)]++] = key;
-    for (const PairKey key : m_bySecond) keys[m_firstEnds[firstOf(key)]++] = key;
+    const auto sortBy = [&](const auto& entryOf, const PairKey* from, PairKey* to) {
+        m_sort.sort(
+            keys.size(), input.boxes.size(),
+            [=](std::size_t i, const auto& visit) { visit(entryOf(from[i])); },
+            [=](std::size_t i, std::size_t place) { to[place] = from[i]; }, *input.workers);
+    };
+    sortBy([](PairKey key) { return secondOf(key); }, keys.data(), m_bySecond.data());
+    sortBy([](PairKey key) { return firstOf(key); }, m_bySecond.data(), keys.data());
 
     std::size_t kept = 0;
     PairKey last = 0; // of no pair: a < b
@@ -29,15 +31,14 @@ void PairOrder::tidy(std::vector<PairKey>& keys, const BroadphaseInput& input) {
     keys.resize(kept);
 }
 
-std::size_t PairOrder::bytes() const {
-    return (m_firstEnds.capacity() + m_secondEnds.capacity()) * sizeof(std::uint32_t) +
-           m_bySecond.capacity() * sizeof(PairKey);
-}
+std::size_t PairOrder::bytes() const { return m_sort.bytes() + m_bySecond.capacity() * sizeof(PairKey); }
 
 void translate(const std::vector<PairKey>& keys, const BroadphaseInput& input, std::vector<BodyPair>& pairs) {
     pairs.resize(keys.size());
-    for (std::size_t k = 0; k < keys.size(); ++k)
-        pairs[k] = {input.bodies[firstOf(keys[k])], input.bodies[secondOf(keys[k])]};
+    input.workers->forRanges(keys.size(), fewTranslated, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k)
+            pairs[k] = {input.bodies[firstOf(keys[k])], input.bodies[secondOf(keys[k])]};
+    });
 }
 
 } // namespace carom

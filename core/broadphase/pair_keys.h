@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/counting_sort.h"
 #include "core/broadphase/broadphase.h"
 
 #include <cstdint>
@@ -27,7 +28,7 @@ class PairOrder {
     std::size_t bytes() const;
 
   private:
-    std::vector<std::uint32_t> m_firstEnds, m_secondEnds; ///< by entry
+    CountingSort m_sort;
     std::vector<PairKey> m_bySecond;
 };
 

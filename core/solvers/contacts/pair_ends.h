@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/counting_sort.h"
+
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -22,21 +24,25 @@ class PairEnds {
 
     /// endsOf(pair) gives the two numbers, below `bodies`.
     template<class EndsOf>
-    void make(std::size_t pairs, std::size_t bodies, const EndsOf& endsOf) {
+    void make(std::size_t pairs, std::size_t bodies, const EndsOf& endsOf,
+              Workers& workers = Workers::alone()) {
         m_isKnown = true;
         m_of.resize(pairs);
-        m_last.assign(bodies + 1, 0); // counts first, one place further on
-        for (std::size_t pair = 0; pair < pairs; ++pair) {
-            const auto [a, b] = m_of[pair] = endsOf(pair);
-            ++m_last[a + 1];
-            ++m_last[b + 1];
-        }
-        m_last[1] = 0; // nobody asks for the pairs of number 0
-        for (std::size_t i = 1; i < m_last.size(); ++i) m_last[i] += m_last[i - 1];
-        m_pairs.resize(m_last.back());
-        for (std::uint32_t pair = 0; pair < pairs; ++pair)
-            for (const std::uint32_t body : {m_of[pair].first, m_of[pair].second})
-                if (body != 0) m_pairs[m_last[body]++] = pair;
+        workers.forRanges(pairs, fewMade, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t pair = begin; pair < end; ++pair) m_of[pair] = endsOf(pair);
+        });
+        m_pairs.resize(2 * pairs);
+        m_sort.sort(
+            pairs, bodies,
+            [this](std::size_t pair, const auto& visit) {
+                const auto [a, b] = m_of[pair];
+                if (a != 0) visit(a); // nobody asks for the pairs of number 0
+                if (b != 0) visit(b);
+            },
+            [this](std::size_t pair, std::size_t place) {
+                m_pairs[place] = static_cast<std::uint32_t>(pair);
+            },
+            workers);
     }
 
     /// By pair.
@@ -44,13 +50,17 @@ class PairEnds {
     const Ends& of(std::size_t pair) const { return m_of[pair]; }
     /// Ascending; not of number 0.
     std::span<const std::uint32_t> pairsOf(std::uint32_t body) const {
-        return std::span(m_pairs).subspan(m_last[body - 1], m_last[body] - m_last[body - 1]);
+        const std::uint32_t begin = m_sort.endOf(body - 1);
+        return std::span(m_pairs).subspan(begin, m_sort.endOf(body) - begin);
     }
 
   private:
+    /// Pairs of which one thread finds the bodies at least.
+    static constexpr std::size_t fewMade = Workers::enoughOf(5);
+
     std::vector<Ends> m_of;
     std::vector<std::uint32_t> m_pairs; // of body 1, of body 2 and so on
-    std::vector<std::uint32_t> m_last;  // by body: where its pairs end
+    CountingSort m_sort;
     bool m_isKnown = false;
 };
 

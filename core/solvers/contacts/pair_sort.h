@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/counting_sort.h"
 #include "core/dynamics/bodies.h"
 
 #include <cstddef>
@@ -16,33 +17,27 @@ template<class Entry>
 class PairSort {
   public:
     /// `bodies` are those of the scene.
-    void sort(std::vector<Entry>& entries, std::size_t bodies) {
+    void sort(std::vector<Entry>& entries, std::size_t bodies, Workers& workers = Workers::alone()) {
         if (entries.empty()) return;
-        m_first.assign(bodies + 1, 0);
-        m_second.assign(bodies + 1, 0);
-        for (const Entry& entry : entries) {
-            ++m_first[entry.pair.a + 1];
-            ++m_second[entry.pair.b + 1];
-        }
-        for (std::size_t i = 0; i < bodies; ++i) {
-            m_first[i + 1] += m_first[i];
-            m_second[i + 1] += m_second[i];
-        }
         if (m_sorted.capacity() < entries.capacity()) m_sorted.reserve(entries.capacity());
         m_sorted.resize(entries.size());
-        for (const Entry& entry : entries) m_sorted[m_second[entry.pair.b]++] = entry;
-        for (const Entry& entry : m_sorted) entries[m_first[entry.pair.a]++] = entry;
+        const auto sortBy = [&](CountingSort& sort, BodyIndex BodyPair::*body, const Entry* from, Entry* to) {
+            sort.sort(
+                entries.size(), bodies, [=](std::size_t i, const auto& visit) { visit(from[i].pair.*body); },
+                [=](std::size_t i, std::size_t place) { to[place] = from[i]; }, workers);
+        };
+        sortBy(m_bySecond, &BodyPair::b, entries.data(), m_sorted.data());
+        sortBy(m_byFirst, &BodyPair::a, m_sorted.data(), entries.data());
     }
     /// Those of which this is the first body, of the entries sorted last.
     std::span<const Entry> of(BodyIndex first, const std::vector<Entry>& entries) const {
         if (entries.empty()) return {};
-        const std::uint32_t begin = first > 0 ? m_first[first - 1] : 0;
-        return std::span(entries).subspan(begin, m_first[first] - begin);
+        const std::uint32_t begin = first > 0 ? m_byFirst.endOf(first - 1) : 0;
+        return std::span(entries).subspan(begin, m_byFirst.endOf(first) - begin);
     }
 
   private:
-    // By body: where its next pair goes, as the first or the second one; when sorted, where they end.
-    std::vector<std::uint32_t> m_first, m_second;
+    CountingSort m_bySecond, m_byFirst;
     std::vector<Entry> m_sorted;
 };
 

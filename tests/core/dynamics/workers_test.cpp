@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/test_class.h"
 
-#include "core/base/workers.h"
+#include "core/base/shared_loops.h"
 
 #include <QThread>
 
 #include <array>
 #include <atomic>
+#include <bit>
+#include <cstdint>
 #include <numeric>
 #include <stdexcept>
 #include <utility>
@@ -100,6 +102,33 @@ class WorkersTest : public QObject {
             std::iota(expected.begin(), expected.end(), std::size_t{0});
             QCOMPARE(all, expected);
         }
+    }
+
+    // Sums of numbers of many sizes: any other order gives other bits.
+    void termsAreAddedInOrder_data() { addCases(); }
+    void termsAreAddedInOrder() {
+        QFETCH(int, threads);
+        QFETCH(int, count);
+        Workers workers(threads);
+        const auto termOf = [](std::size_t i) { return i % 3 == 0 ? 1e16 : 1.0 / static_cast<double>(i); };
+        double expected = 0, sum = 0;
+        for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) expected += termOf(i);
+        std::vector<double> kept;
+        forTerms(static_cast<std::size_t>(count), 10, kept, workers, termOf,
+                 [&sum](double term) { sum += term; });
+        QCOMPARE(std::bit_cast<std::uint64_t>(sum), std::bit_cast<std::uint64_t>(expected));
+    }
+
+    void oneOfManyIsFound_data() { addCases(); }
+    void oneOfManyIsFound() {
+        QFETCH(int, threads);
+        QFETCH(int, count);
+        Workers workers(threads);
+        const std::size_t elements = static_cast<std::size_t>(count);
+        QVERIFY(!holdsForAny(elements, 10, workers, [](std::size_t) { return false; }));
+        if (count == 0) return;
+        for (const std::size_t one : {std::size_t{0}, elements / 2, elements - 1})
+            QVERIFY(holdsForAny(elements, 10, workers, [one](std::size_t i) { return i == one; }));
     }
 
     void thereAreNeverFewerThanOneThread() {
