@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/dynamics/state.h"
 
+#include <algorithm>
 #include <cmath>
+#include <ranges>
 
 namespace carom {
 namespace {
@@ -52,11 +54,13 @@ State initialStateOf(const Scene& scene) {
 // numbers are so large that it overflows. An addition a number, where a test of each would be a branch. Only
 // what can change is looked at.
 Loss findLoss(const Bodies& bodies, std::span<const BodyIndex> list, const State& state) {
+    if (list.empty()) return {};
     Vec3 moving = Vec3::Zero(), turning = Vec3::Zero();
     double last = 0;
     for (const BodyIndex i : list) moving += state.pose[i].position + state.velocity[i];
     auto at = list.begin();
-    for (const BodyIndex i : bodies.rotating) {
+    const auto first = std::ranges::lower_bound(bodies.rotating, list.front());
+    for (const BodyIndex i : std::ranges::subrange(first, bodies.rotating.end())) {
         while (at != list.end() && *at < i) ++at;
         if (at == list.end()) break;
         if (*at != i) continue;

@@ -12,6 +12,9 @@
 namespace carom {
 namespace {
 
+/// Bodies of which one thread adds up the energies.
+constexpr std::size_t fewSummed = Workers::enoughOf(5);
+
 // Counts are summed over a frame's substeps; the memory of the broad-phase is that of the last one.
 void add(FrameStatistics& frame, const SolverReport& report, const BroadphaseCounters& broad) {
     frame.integrate += report.integrate;
@@ -40,19 +43,18 @@ void add(FrameStatistics& frame, const SolverReport& report, const BroadphaseCou
 }
 
 void measureStored(const Pipeline& pipeline, const State& state, std::vector<double>& into) {
-    into.clear();
     for (const StoredEnergy& stored : pipeline.stored())
         into.push_back(stored.of(pipeline.scene(), pipeline.bodies(), state));
 }
 
 // Potential energy belongs to the effects that store it, and height also to corrected positions; what is then
 // left of the change of the state is unexplained.
-void closeLedger(const Pipeline& pipeline, const State& state, const Invariants& before,
-                 std::span<const double> storedBefore, FrameStatistics& frame) {
+void closeLedger(const Pipeline& pipeline, const Invariants& before, std::span<const double> storedBefore,
+                 std::span<const double> storedAfter, FrameStatistics& frame) {
     Ledger& ledger = frame.ledger;
     for (std::size_t k = 0; k < storedBefore.size(); ++k) {
         const StoredEnergy& stored = pipeline.stored()[k];
-        double rise = stored.of(pipeline.scene(), pipeline.bodies(), state) - storedBefore[k];
+        double rise = storedAfter[k] - storedBefore[k];
         if (stored.ofHeight) rise -= ledger.lifted;
         ledger[stored.account].energy += rise;
     }
@@ -63,15 +65,30 @@ void closeLedger(const Pipeline& pipeline, const State& state, const Invariants&
     frame.unexplained.momentum = frame.momentum - before.momentum - total.momentum;
 }
 
-} // namespace
-
-void account(const Pipeline& pipeline, const State& state, FrameStatistics& frame) {
-    const MotionTotals motion = motionTotalsOf(pipeline.bodies(), state);
+// Appends the stored energies. Each sum is in the order of the bodies, so threads share the sums, not the
+// bodies.
+void account(const Pipeline& pipeline, const State& state, Workers& workers, std::vector<double>& stored,
+             FrameStatistics& frame) {
+    const std::size_t first = stored.size();
+    MotionTotals motion;
+    Workers& several = state.pose.size() < fewSummed ? Workers::alone() : workers;
+    several.forEach(2, [&](std::size_t, std::size_t which) {
+        if (which == 0)
+            motion = motionTotalsOf(pipeline.bodies(), state);
+        else
+            measureStored(pipeline, state, stored);
+    });
     frame.kinetic = motion.kinetic;
     frame.momentum = motion.momentum;
     frame.potential = 0;
-    for (const StoredEnergy& stored : pipeline.stored())
-        frame.potential += stored.of(pipeline.scene(), pipeline.bodies(), state);
+    for (const double energy : std::span(stored).subspan(first)) frame.potential += energy;
+}
+
+} // namespace
+
+void account(const Pipeline& pipeline, const State& state, FrameStatistics& frame) {
+    std::vector<double> stored;
+    account(pipeline, state, Workers::alone(), stored, frame);
 }
 
 // One frame: `substeps` times the method's smooth motion, pairs, contacts and responses; then the accounts.
@@ -99,7 +116,9 @@ void stepWorld(World& world) {
                       .state = state,
                       .ledger = world.m_keepsLedger ? &frame.ledger : nullptr,
                       .parts = settings.substeps};
+    world.m_stored.clear();
     if (world.m_keepsLedger) measureStored(pipeline, state, world.m_stored);
+    const std::size_t storedBefore = world.m_stored.size();
     Loss loss;
     for (input.part = 0; input.part < input.parts && !loss; ++input.part) {
         const SolverReport report = world.m_solver->advance(input);
@@ -114,8 +133,10 @@ void stepWorld(World& world) {
         frame.momentum = before.momentum;
         frame.ledger = {};
     } else {
-        account(pipeline, state, frame);
-        if (world.m_keepsLedger) closeLedger(pipeline, state, before, world.m_stored, frame);
+        account(pipeline, state, world.m_workers, world.m_stored, frame);
+        const std::span<const double> stored = world.m_stored;
+        if (world.m_keepsLedger)
+            closeLedger(pipeline, before, stored.first(storedBefore), stored.subspan(storedBefore), frame);
     }
     frame.simulate = wholeStep.elapsed();
 }

@@ -19,10 +19,16 @@ double unevenSpinEnergy(const SolverInput& input, std::span<const BodyIndex> bod
 }
 
 void moveBallistic(const SolverInput& input, std::span<const BodyIndex> bodies) {
-    const double spinBefore = input.ledger != nullptr ? unevenSpinEnergy(input, bodies) : 0;
+    double spinBefore = 0;
+    Workers& several = bodies.size() < 2 * fewMoved ? Workers::alone() : input.workers;
     if (input.ledger != nullptr)
-        recordBallisticAdvance(input.bodies, bodies, {input.gravity, input.gravity, input.substep},
-                               input.state, *input.ledger);
+        several.forEach(2, [&](std::size_t, std::size_t which) { // sums in the order of the bodies
+            if (which == 0)
+                spinBefore = unevenSpinEnergy(input, bodies);
+            else
+                recordBallisticAdvance(input.bodies, bodies, {input.gravity, input.gravity, input.substep},
+                                       input.state, *input.ledger);
+        });
     input.workers.forRanges(bodies.size(), fewMoved, [&](std::size_t begin, std::size_t end) {
         const std::span<const BodyIndex> part = bodies.subspan(begin, end - begin);
         input.motion.move(part, input.gravity, input.substep, input.state);
