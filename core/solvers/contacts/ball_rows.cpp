@@ -22,6 +22,8 @@ CAROM_INLINE Wide3 choose(const auto& where, const Wide3& one, const Wide3& othe
 
 /// Groups that one thread lists at least.
 constexpr std::size_t fewListed = Workers::enoughOf(3);
+/// Pairs that one thread puts into groups at least, and groups of which it renumbers the pairs.
+constexpr std::size_t fewPacked = Workers::enoughOf(15), fewRenumbered = Workers::enoughOf(10);
 
 /// The vectors of a group, from `radiusA` to the end of its row, and where they begin as doubles.
 constexpr std::size_t valuesOfGroup =
@@ -166,14 +168,17 @@ void BallRows::clear() {
     m_heldDeepest = 0;
 }
 
-void BallRows::findSolved() {
+void BallRows::findSolved(Workers& workers) {
     m_lists.solved.clear();
-    for (std::uint32_t i = 0; i < m_groups.size(); ++i)
-        if (!m_groups[i].held) m_lists.solved.push_back(i);
+    workers.forLists(m_groups.size(), fewListed, m_lists.solved,
+                     [this](std::size_t begin, std::size_t end, std::vector<std::uint32_t>& solved) {
+                         for (std::size_t i = begin; i < end; ++i)
+                             if (!m_groups[i].held) solved.push_back(static_cast<std::uint32_t>(i));
+                     });
 }
 
 void BallRows::findLists() {
-    findSolved();
+    findSolved(Workers::alone());
     listAfter(Workers::alone(), fewListed, [](std::span<const std::uint32_t>) {});
     m_lists.areKnown = true;
 }
@@ -275,27 +280,44 @@ void BallRows::fillGroup(std::size_t i, const BallGroup& empty, const Fixed& emp
     gatherValues(valuesOfFixed, fixedValues, reinterpret_cast<double*>(&toFixed));
 }
 
+// Appends groups of pairs that are in these places.
+void BallRows::pack(std::span<const std::uint32_t> places, std::uint32_t immobile, LanePacker& packer,
+                    Lanes& from) const {
+    for (const std::uint32_t at : places) {
+        const BallGroup& group = m_before[at / wideLanes];
+        const LanePacker::Place place =
+            packer.place(group.a[at % wideLanes], group.b[at % wideLanes], immobile);
+        if (place.isNew) from.push_back({noPair, noPair, noPair, noPair});
+        from[place.group][place.lane] = at;
+    }
+}
+
+// A pair takes no place in a group of an earlier section, so threads find the groups of the sections at the
+// same time. Pairs that are added later may take one in the last.
 void BallRows::reorder(std::span<const std::uint32_t> places, std::uint32_t immobile,
                        std::span<const SectionEnd> sections, Workers& workers) {
     std::swap<std::vector<BallGroup>>(m_groups, m_before);
     std::swap<std::vector<Fixed>>(m_fixed, m_fixedBefore);
-    m_packer.restart();
-    m_sections.clear();
+    m_packed.resize(sections.size());
+    m_packers.resize(static_cast<std::size_t>(workers.threads()));
+    for (LanePacker& packer : m_packers) packer.reserve(m_packer.bodies());
+    const auto endBefore = [&](std::size_t section) { return section > 0 ? sections[section - 1].end : 0; };
+    Workers& several = endBefore(sections.size()) < 2 * fewPacked ? Workers::alone() : workers;
+    several.forEach(sections.size(), [&](std::size_t thread, std::size_t section) {
+        const std::size_t begin = endBefore(section);
+        m_packed[section].clear();
+        m_packers[thread].restart();
+        pack(places.subspan(begin, sections[section].end - begin), immobile, m_packers[thread],
+             m_packed[section]);
+    });
     m_from.clear();
-    forEachInSections(
-        places.size(), sections,
-        [&](std::size_t i) {
-            const std::uint32_t from = places[i];
-            const BallGroup& group = m_before[from / wideLanes];
-            const LanePacker::Place place =
-                m_packer.place(group.a[from % wideLanes], group.b[from % wideLanes], immobile);
-            if (place.isNew) m_from.push_back({noPair, noPair, noPair, noPair});
-            m_from[place.group][place.lane] = from;
-        },
-        [&](std::size_t phase) {
-            m_packer.closeAll();
-            m_sections.close(phase, m_from.size());
-        });
+    m_sections.clear();
+    for (std::size_t section = 0; section < sections.size(); ++section) {
+        m_from.insert(m_from.end(), m_packed[section].begin(), m_packed[section].end());
+        m_sections.close(sections[section].phase, m_from.size());
+    }
+    m_packer.restart(m_from.size());
+    pack(places.subspan(endBefore(sections.size())), immobile, m_packer, m_from);
     m_groups.resize(m_from.size());
     m_fixed.resize(m_from.size());
     const BallGroup empty = emptyGroup(immobile);
@@ -305,8 +327,8 @@ void BallRows::reorder(std::span<const std::uint32_t> places, std::uint32_t immo
     markHeld();
 }
 
-void BallRows::emptyLane(std::size_t i, std::size_t lane, std::uint32_t immobile) {
-    copyLane(emptyGroup(immobile), lane, m_groups[i], lane);
+void BallRows::emptyLane(std::size_t i, std::size_t lane, const BallGroup& empty) {
+    copyLane(empty, lane, m_groups[i], lane);
     Fixed& fixed = m_fixed[i];
     fixed.source[lane] = noPair;
     for (Wide& place : fixed.place) place[lane] = 0;
@@ -314,22 +336,26 @@ void BallRows::emptyLane(std::size_t i, std::size_t lane, std::uint32_t immobile
     fixed.wall[lane] = fixed.massNormal[lane] = fixed.massTangent[lane] = fixed.isHeld[lane] = 0;
 }
 
-void BallRows::renumber(std::span<const std::uint32_t> sources, std::uint32_t immobile) {
-    bool isAny = false;
-    for (std::size_t i = 0; i < m_fixed.size(); ++i)
-        for (std::size_t lane = 0; lane < wideLanes; ++lane) {
-            std::uint32_t& source = m_fixed[i].source[lane];
-            if (source == noPair) continue;
-            source = sources[source];
-            if (source != noPair) continue;
-            emptyLane(i, lane, immobile);
-            isAny = true;
-        }
+void BallRows::renumber(std::span<const std::uint32_t> sources, std::uint32_t immobile, Workers& workers) {
+    const BallGroup empty = emptyGroup(immobile);
+    std::atomic<bool> isAny = false;
+    workers.forRanges(m_fixed.size(), fewRenumbered, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            for (std::size_t lane = 0; lane < wideLanes; ++lane) {
+                std::uint32_t& source = m_fixed[i].source[lane];
+                if (source == noPair) continue;
+                source = sources[source];
+                if (source != noPair) continue;
+                emptyLane(i, lane, empty);
+                isAny.store(true, std::memory_order_relaxed);
+            }
+    });
     if (isAny) markHeld();
 }
 
 void BallRows::keep(std::span<const std::uint32_t> sources, std::span<const std::uint32_t> bodies,
                     std::uint32_t immobile) {
+    const BallGroup empty = emptyGroup(immobile);
     m_packer.restart();
     std::uint32_t kept = 0;
     m_newGroup.assign(m_groups.size() + 1, 0);
@@ -342,7 +368,7 @@ void BallRows::keep(std::span<const std::uint32_t> sources, std::span<const std:
             if (fixed.source[lane] == noPair) continue;
             fixed.source[lane] = sources[fixed.source[lane]];
             if (fixed.source[lane] == noPair) {
-                emptyLane(i, lane, immobile);
+                emptyLane(i, lane, empty);
                 continue;
             }
             group.a[lane] = bodies[group.a[lane]];
@@ -426,7 +452,7 @@ CAROM_WIDE void BallRows::markHeld() {
 
 void BallRows::refresh(std::span<const SolverBody> bodies, std::span<const BodyPlace> places, double duration,
                        const Vec3& gravity, Workers& workers) {
-    if (!m_lists.areKnown) findSolved();
+    if (!m_lists.areKnown) findSolved(workers);
     m_deepest = 0;
     listAfter(workers, fewShared, [&](std::span<const std::uint32_t> groups) {
         raiseTo(m_deepest, refreshAll({groups, m_groups.data(), m_fixed.data(), bodies.data(), places.data(),

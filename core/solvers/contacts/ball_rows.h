@@ -105,7 +105,8 @@ class BallRows {
               std::uint32_t immobile);
     /// Gives the pairs new numbers of sources, and removes those that get noPair. Their lanes stay empty
     /// until pairs are kept or sorted.
-    void renumber(std::span<const std::uint32_t> sources, std::uint32_t immobile);
+    void renumber(std::span<const std::uint32_t> sources, std::uint32_t immobile,
+                  Workers& workers = Workers::alone());
     /// Sorts the pairs at these places (forEachPlace) into their order, as if they had been added in it, and
     /// leaves out all others; `sections` end within it. Pairs that are added later are in none of these.
     void reorder(std::span<const std::uint32_t> places, std::uint32_t immobile,
@@ -171,10 +172,10 @@ class BallRows {
                 if (m_fixed[i].source[lane] != noPair)
                     visit(m_fixed[i].source[lane], static_cast<std::uint32_t>(wideLanes * i + lane));
     }
-    /// visit(source) for every pair with an impulse.
+    /// visit(source) for every pair of these groups with an impulse.
     template<class Visit>
-    void forEachPressed(const Visit& visit) const {
-        for (std::size_t i = 0; i < m_groups.size(); ++i) {
+    void forEachPressed(std::size_t begin, std::size_t end, const Visit& visit) const {
+        for (std::size_t i = begin; i < end; ++i) {
             const Wide pressing = m_groups[i].row.normal + m_fixed[i].held[0];
             for (std::size_t lane = 0; lane < wideLanes; ++lane)
                 if (pressing[lane] > 0 && m_fixed[i].source[lane] != noPair) visit(m_fixed[i].source[lane]);
@@ -273,7 +274,7 @@ class BallRows {
         if (!m_lists.areKnown) findLists();
         return m_lists;
     }
-    void findSolved();
+    void findSolved(Workers& workers);
     void findLists();
     template<class Work>
     void listAfter(Workers& workers, std::size_t least, const Work& work);
@@ -283,7 +284,11 @@ class BallRows {
     static double refreshAll(const Refresh& with);
     static bool findStruckIn(const Refresh& with);
     static void refreshGroup(const Refresh& with, std::size_t group, const Wide* struck);
-    void emptyLane(std::size_t group, std::size_t lane, std::uint32_t immobile);
+    void emptyLane(std::size_t group, std::size_t lane, const BallGroup& empty);
+    /// By group: the places, before, of its lanes.
+    using Lanes = std::vector<std::array<std::uint32_t, wideLanes>>;
+    void pack(std::span<const std::uint32_t> places, std::uint32_t immobile, LanePacker& packer,
+              Lanes& from) const;
     void fillGroup(std::size_t i, const BallGroup& empty, const Fixed& emptyFixed);
     void markHeld();
     static void setMasses(const BallGroup& group, std::size_t lane, std::span<const SolverBody> bodies,
@@ -293,7 +298,9 @@ class BallRows {
     std::vector<Fixed> m_fixed;               // by group
     Scratch<std::vector<BallGroup>> m_before; // of a new order
     Scratch<std::vector<Fixed>> m_fixedBefore;
-    Scratch<std::vector<std::array<std::uint32_t, wideLanes>>> m_from; // by group and lane: its place before
+    Scratch<Lanes> m_from;
+    Scratch<std::vector<Lanes>> m_packed;           // by section but the last one
+    Scratch<std::vector<LanePacker>> m_packers;     // by thread
     Scratch<std::vector<std::uint32_t>> m_newGroup; // by group before: the number that it, or the next, keeps
     LanePacker m_packer;
     Sections m_sections;

@@ -233,10 +233,11 @@ template<class Work>
 void BallRows::forActive(bool back, Workers& workers, const Work& work) {
     const std::span<const std::uint32_t> active = lists().active;
     Workers& several = active.size() < 2 * fewShared ? Workers::alone() : workers;
-    m_sections.forEachRange(m_groups.size(), back, several, [&](std::size_t begin, std::size_t end) {
-        const auto first = std::lower_bound(active.begin(), active.end(), begin);
-        work(std::span(first, std::lower_bound(first, active.end(), end)));
-    });
+    m_sections.forEachRange(m_groups.size(), back, fewShared, several,
+                            [&](std::size_t begin, std::size_t end) {
+                                const auto first = std::lower_bound(active.begin(), active.end(), begin);
+                                work(std::span(first, std::lower_bound(first, active.end(), end)));
+                            });
 }
 
 bool BallRows::recordApproach(std::span<const SolverBody> bodies, const StepSettings& settings,

@@ -108,9 +108,9 @@ std::size_t BasePath::islands() const {
     return sum;
 }
 
-bool BasePath::markIfMoved(const State& state) {
+bool BasePath::markIfMoved(const State& state, Workers& workers) {
     const bool isMoved = std::any_of(m_blocks.begin(), m_blocks.end(), [&](const SteppedMotion& block) {
-        return !block.isEmpty() && !block.isUnchanged(state);
+        return !block.isEmpty() && !block.isUnchanged(state, workers);
     });
     if (isMoved) markIslands([](BodyIndex) { return true; });
     return isMoved;
@@ -137,7 +137,7 @@ void BasePath::enter(const SteppedInput& input, std::span<const BodyIndex> list,
     for (std::vector<ContactCount>& ofBlock : counts) ofBlock.clear();
     for (std::size_t i = 0; i < m_islands.count(); ++i) {
         const Island island = m_islands[i];
-        m_numbers.push_back(numberFor(island, manifolds));
+        m_numbers.push_back(numberFor(island, manifolds, input.workers));
         addIsland(input, island, m_numbers[i], substep);
     }
     // Pairs that touch come first, so that groups of four hold either active or idle pairs.
@@ -183,14 +183,14 @@ void BasePath::addIsland(const SteppedInput& input, const Island& island, std::u
 }
 
 // The block for an island that enters: that of the bodies it meets on the base path, else by its contacts.
-std::uint8_t BasePath::numberFor(const Island& island, const Manifolds& manifolds) {
+std::uint8_t BasePath::numberFor(const Island& island, const Manifolds& manifolds, Workers& workers) {
     ContactCount count = countOf(island, manifolds);
     for (const std::uint32_t index : island.pairs) {
         const BodyIndex here = hereOf(m_entering[index].pair);
         if (here == noBody) continue;
         const std::size_t number = m_block[here] - 1u;
         std::array<std::vector<ContactCount>, divisions>& counts = m_counts;
-        if (counts[number].empty()) countContacts(number, manifolds);
+        if (counts[number].empty()) countContacts(number, manifolds, workers);
         count.add(counts[number][block(number).islands().of(here)]);
         if (isFarWrong(number, count)) mark(here);
         return m_block[here];
@@ -231,13 +231,19 @@ SteppedReport BasePath::advance(const SteppedInput& input, Manifolds& manifolds)
 }
 
 // Counts the contacts of the islands of a block, as of the last substep.
-void BasePath::countContacts(std::size_t number, const Manifolds& manifolds) {
+void BasePath::countContacts(std::size_t number, const Manifolds& manifolds, Workers& workers) {
     std::array<std::vector<ContactCount>, divisions>& all = m_counts;
-    std::vector<ContactCount>& counts = all[number];
-    counts.assign(block(number).islands().islandNumbers(), {});
-    block(number).forEachCount(manifolds, [&](std::uint32_t island, int points, bool isRound) {
-        counts[island].add(points, isRound);
-    });
+    using Counts = std::vector<ContactCount>;
+    const Counts none(block(number).islands().islandNumbers());
+    Counts& counts = all[number];
+    counts = none;
+    block(number).count(
+        manifolds, counts, none,
+        [](Counts& to, std::uint32_t island, int points, bool isRound) { to[island].add(points, isRound); },
+        [&counts](const Counts& part) {
+            for (std::size_t island = 0; island < part.size(); ++island) counts[island].add(part[island]);
+        },
+        workers);
 }
 
 void BasePath::countLevels(const SteppedInput& input, const Manifolds& manifolds) {
@@ -280,13 +286,13 @@ std::uint32_t BasePath::levelsOf(const SteppedInput& input, SteppedMotion& block
     return m_reached.empty() ? 0 : m_level[m_reached.back()];
 }
 
-bool BasePath::markOutgrown(const Manifolds& manifolds) {
+bool BasePath::markOutgrown(const Manifolds& manifolds, Workers& workers) {
     const std::array<std::vector<ContactCount>, divisions>& counts = m_counts;
     bool any = false;
     for (std::size_t number = 0; number < divisions; ++number) {
         SteppedMotion& block = m_blocks[number];
         if (block.isEmpty()) continue;
-        countContacts(number, manifolds);
+        countContacts(number, manifolds, workers);
         for (std::uint32_t island = 0; island < counts[number].size(); ++island) {
             if (!isWrong(number, counts[number][island])) continue;
             block.islands().mark(island);

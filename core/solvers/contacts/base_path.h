@@ -67,7 +67,7 @@ class BasePath {
     std::size_t islands() const;
     /// When a frame begins: marks all islands if a body is elsewhere, or has another velocity, than the last
     /// substep left it. True if so.
-    bool markIfMoved(const State& state);
+    bool markIfMoved(const State& state, Workers& workers);
     /// Ensures that the pairs are valid for another substep, for which the neighbours have followed the
     /// bodies. Bodies that may move beyond their reach, or be struck by such a body, get a new reach for
     /// `time` [s] and `skin` times their size, and the pairs within it. False if some islands are marked:
@@ -146,7 +146,7 @@ class BasePath {
     void countLevels(const SteppedInput& input, const Manifolds& manifolds);
     /// Marks islands that, as of the last substep, have so many contacts that they would enter another block,
     /// of a coarser division: they have grown since they entered. True if there are any.
-    bool markOutgrown(const Manifolds& manifolds);
+    bool markOutgrown(const Manifolds& manifolds, Workers& workers = Workers::alone());
     std::size_t bytes() const;
     /// Removes marked islands. `left` are their bodies; appends their manifolds, which remain in use.
     void leaveMarked(const SteppedInput& input, Manifolds& manifolds, std::vector<BodyIndex>& left,
@@ -243,10 +243,10 @@ class BasePath {
     void findPairs(const SteppedInput& input, std::span<const BodyIndex> list, const Neighbours& neighbours,
                    std::span<Manifolds::Entry> known);
     ContactCount countOf(const Island& island, const Manifolds& manifolds) const;
-    std::uint8_t numberFor(const Island& island, const Manifolds& manifolds);
+    std::uint8_t numberFor(const Island& island, const Manifolds& manifolds, Workers& workers);
     void addIsland(const SteppedInput& input, const Island& island, std::uint8_t number, double substep);
     std::uint32_t levelsOf(const SteppedInput& input, SteppedMotion& block, const Manifolds& manifolds);
-    void countContacts(std::size_t number, const Manifolds& manifolds);
+    void countContacts(std::size_t number, const Manifolds& manifolds, Workers& workers);
     void loadMember(const SteppedInput& input, BodyIndex member, std::uint8_t number, Entry& entry,
                     Manifolds& manifolds);
     /// The body of a pair that is on the base path already, or noBody.
@@ -273,8 +273,7 @@ class BasePath {
     Scratch<Islands> m_islands;
     Scratch<std::vector<std::uint8_t>> m_numbers;                      // by island that enters: its block
     Scratch<std::array<std::vector<std::size_t>, divisions>> m_outrun; // by block and island: bodies
-    Scratch<std::vector<BodyIndex>> m_active;                          // of a block
-    Scratch<std::vector<Renewed>> m_needed;                            // by these
+    Scratch<std::vector<Renewed>> m_needed;                            // by bodies of a block
     Scratch<std::vector<double>> m_kick;                               // by body, of those that enter [m]
     Scratch<std::vector<double>> m_room; // by body: what is left of its reach in this substep [m]
     std::vector<Renewed> m_renewed;

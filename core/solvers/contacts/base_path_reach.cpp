@@ -90,8 +90,10 @@ bool BasePath::coversThoseHere(Neighbours& neighbours) const {
     bool covered = true;
     for (const SteppedMotion& block : m_blocks) {
         if (block.isEmpty()) continue;
-        for (const BodyIndex i : block.bodies())
-            if (m_renewal[i] == 0) covered = neighbours.covers(i, std::max(0.0, m_room[i])) && covered;
+        const auto roomOf = [this](BodyIndex i) { // of those with a new reach, coversRenewed() is asked
+            return m_renewal[i] == 0 ? std::max(0.0, m_room[i]) : -std::numeric_limits<double>::infinity();
+        };
+        covered = neighbours.coversAll(block.bodies(), roomOf) && covered;
     }
     return covered;
 }
@@ -179,26 +181,24 @@ void BasePath::orderWhereMany() {
 void BasePath::findOutrun(const SteppedInput& input, double time, double skin, const Neighbours& neighbours) {
     m_room.resize(input.bodies.count());
     for (const SteppedMotion& block : m_blocks) {
-        m_active.clear();
-        for (const BodyIndex i : block.bodies())
-            if (!neighbours.settled().has(i)) m_active.push_back(i);
-        m_needed.resize(m_active.size());
-        input.workers.forRanges(m_active.size(), fewBodies, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t n = begin; n < end; ++n) {
-                const BodyIndex i = m_active[n];
-                m_room[i] = roomOf(input, i);
-                const bool isOutrun = neighbours.reach(i) > m_room[i];
-                const double reach = isOutrun || input.isFirst ? ownReach(input, i, time, skin, neighbours)
-                                                               : std::numeric_limits<double>::infinity();
-                m_needed[n] = {i, reach, !isOutrun};
-            }
-        });
+        const std::span<const BodyIndex> bodies = block.bodies();
+        m_needed.clear();
+        input.workers.forLists(bodies.size(), fewBodies, static_cast<std::vector<Renewed>&>(m_needed),
+                               [&](std::size_t begin, std::size_t end, std::vector<Renewed>& renewed) {
+                                   for (const BodyIndex i : bodies.subspan(begin, end - begin)) {
+                                       if (neighbours.settled().has(i)) continue;
+                                       m_room[i] = roomOf(input, i);
+                                       const bool isOutrun = neighbours.reach(i) > m_room[i];
+                                       if ((!isOutrun && !input.isFirst) || block.islands().isMarked(i))
+                                           continue;
+                                       const double reach = ownReach(input, i, time, skin, neighbours);
+                                       if (isOutrun || m_reach[i] > tooFar * reach)
+                                           renewed.push_back({i, reach, !isOutrun});
+                                   }
+                               });
         for (const Renewed& needed : std::span<const Renewed>(m_needed)) {
-            const BodyIndex i = needed.body;
-            if (block.islands().isMarked(i) || (needed.isNarrowed && m_reach[i] <= tooFar * needed.reach))
-                continue;
             m_renewed.push_back(needed);
-            m_renewal[i] = static_cast<std::uint32_t>(m_renewed.size());
+            m_renewal[needed.body] = static_cast<std::uint32_t>(m_renewed.size());
         }
     }
 }
@@ -293,7 +293,7 @@ void BasePath::loadPairs(const SteppedInput& input, Neighbours& neighbours, Mani
                                    }
                                });
     }
-    m_sort.sort(m_present, input.bodies.count());
+    m_sort.sort(m_present, input.bodies.count(), input.workers);
     m_missing.entries.clear();
     m_missing.parting.clear();
     input.workers.forLists(

@@ -12,7 +12,9 @@ namespace carom {
 namespace {
 
 /// Bodies whose neighbours one thread looks at, at least.
-constexpr std::size_t fewLookedAt = Workers::enoughOf(200);
+constexpr std::size_t fewNeighboured = Workers::enoughOf(200);
+/// And of which it notes what they are.
+constexpr std::size_t fewNoted = Workers::enoughOf(3);
 
 double roomFor(const Bodies& bodies, BodyIndex body, double reach) {
     return reach + Neighbours::leastMargin * bodies.boundingRadius[body];
@@ -67,10 +69,13 @@ void Candidates::lookAt(const Bodies& bodies, const State& state, std::span<cons
                         std::span<const std::uint8_t> placed, Neighbours& neighbours, Broadphase& broadphase,
                         Workers& workers) {
     m_free.clear();
-    for (const BodyIndex i : active) {
-        m_kind[i] = kindOf(placed[i]);
-        if (placed[i] == 0) m_free.push_back(i);
-    }
+    workers.forLists(active.size(), fewNoted, m_free,
+                     [&](std::size_t begin, std::size_t end, std::vector<BodyIndex>& free) {
+                         for (const BodyIndex i : active.subspan(begin, end - begin)) {
+                             m_kind[i] = kindOf(placed[i]);
+                             if (placed[i] == 0) free.push_back(i);
+                         }
+                     });
     m_changed.clear();
     if (!noteReach(bodies, state, active, neighbours)) neighbours.search(bodies, state, broadphase);
     if (!shareReach(bodies, state, m_free, neighbours, workers)) neighbours.search(bodies, state, broadphase);
@@ -120,7 +125,7 @@ bool Candidates::shareReach(const Bodies& bodies, const State& state, std::span<
     const std::size_t first = m_changed.size();
     const bool isOfAll = from.size() == m_free.size();
     m_larger.clear();
-    workers.forLists(from.size(), fewLookedAt, m_larger,
+    workers.forLists(from.size(), fewNeighboured, m_larger,
                      [&](std::size_t begin, std::size_t end, std::vector<Larger>& larger) {
                          for (const BodyIndex i : from.subspan(begin, end - begin))
                              findLarger(bodies, state, i, isOfAll, neighbours, larger);
@@ -145,7 +150,7 @@ std::span<const BodyPair> Candidates::find(const Bodies& bodies, const State& st
     m_found.clear();
     reserveFor(neighbours.ends(), m_found.up);
     workers.forLists(
-        m_free.size(), fewLookedAt, m_found,
+        m_free.size(), fewNeighboured, m_found,
         [&](std::size_t begin, std::size_t end, Found& found) {
             for (const BodyIndex i : std::span(m_free).subspan(begin, end - begin)) {
                 const Body body = m_body[i];

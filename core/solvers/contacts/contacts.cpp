@@ -5,11 +5,28 @@
 #include "core/solvers/contacts/contacts_method.h"
 
 #include <algorithm>
+#include <atomic>
 #include <utility>
 
 // The order of a substep of `contacts` (contacts_method.h), and how its islands move.
 
 namespace carom {
+
+namespace {
+
+/// Bodies that one thread looks at at least, for what is lost, and when a substep ends.
+constexpr std::size_t fewLookedAt = Workers::enoughOf(5);
+
+/// The first of a list that is lost.
+Loss lossOf(const SolverInput& input, std::span<const BodyIndex> list) {
+    std::atomic<bool> any = false;
+    input.workers.forRanges(list.size(), fewLookedAt, [&](std::size_t begin, std::size_t end) {
+        if (findLoss(input.bodies, list.subspan(begin, end - begin), input.state)) any = true;
+    });
+    return any ? findLoss(input.bodies, list, input.state) : Loss{};
+}
+
+} // namespace
 
 // A later substep of a frame in which all bodies sleep: nothing can give one a velocity before the frame
 // ends.
@@ -76,7 +93,7 @@ SolverReport Contacts::move(const SolverInput& input) {
     m_coasting.move(input, m_refinement.lone());
     const bool isLast = input.part + 1 == input.parts;
     if (isLast) m_flight.end(input);
-    report.loss = findLoss(input.bodies, isLast ? input.bodies.mobileBodies : m_active, input.state);
+    report.loss = lossOf(input, isLast ? input.bodies.mobileBodies : m_active);
     report.integrate = m_watch.lap();
     return report;
 }
@@ -112,7 +129,7 @@ void Contacts::findContacts(const SolverInput& input) {
 // if one touches two blocks: the bodies that it touches there must then leave.
 bool Contacts::findJoining(const SolverInput& input) {
     m_reach.find({here(input), m_neighbours, m_members, m_found.set().pairs, m_found.gaps(),
-                  m_found.canMeet(), m_calm.isOnSpring(), m_base.blockOf()});
+                  m_found.canMeet(), m_calm.isOnSpring(), m_base.blockOf(), input.workers});
     m_islands.find(m_bodies, m_candidates.free(), m_found.set().pairs, m_links, m_reach.pairs());
     m_joins.assign(m_islands.count(), 0);
     if (m_base.isEmpty()) return true;
@@ -176,7 +193,7 @@ void Contacts::leaveMarked(const SolverInput& input) {
     m_left.clear();
     m_base.leaveMarked(stepped(input), m_found.manifolds(), m_leaving, m_left);
     for (const BodyIndex i : m_leaving) m_neighbours.settled().wake(i);
-    m_sort.sort(m_left, m_bodies.count());
+    m_sort.sort(m_left, m_bodies.count(), input.workers);
     m_found.carryWith(m_left);
 }
 
@@ -265,14 +282,16 @@ void Contacts::moveStepped(const SolverInput& input, SolverReport& report) {
     if (report.loss) return;
     m_calm.note(input.bodies, input.state, m_passing, input.gravity, input.substep);
     for (const BodyIndex body : m_passing) m_refinement.waited(body);
-    for (const BodyIndex body : m_active) {
-        if (!m_base.has(body)) continue;
-        m_refinement.waited(body);
-        if (m_backOff[body] > 0) --m_backOff[body];
-    }
+    input.workers.forRanges(m_active.size(), fewLookedAt, [&](std::size_t begin, std::size_t end) {
+        for (const BodyIndex body : std::span(m_active).subspan(begin, end - begin)) {
+            if (!m_base.has(body)) continue;
+            m_refinement.waited(body);
+            if (m_backOff[body] > 0) --m_backOff[body];
+        }
+    });
     m_left.clear();
     m_brief.leave(stepped(input), m_found.manifolds(), m_left);
-    m_sort.sort(m_left, m_bodies.count());
+    m_sort.sort(m_left, m_bodies.count(), input.workers);
     m_found.carryOn(m_left);
     if (input.part + 1 == input.parts && m_settings.resting) sleepWhatRests(input);
 }
@@ -311,8 +330,11 @@ void Contacts::stepIsland(const SolverInput& input, const Island& island, double
 // to be larger enter it again.
 void Contacts::sleepWhatRests(const SolverInput& input) {
     m_entering.clear();
-    for (const BodyIndex i : m_active) // what has settled is calm
-        if (m_base.has(i)) m_entering.push_back(i);
+    input.workers.forLists(m_active.size(), fewLookedAt, m_entering,
+                           [&](std::size_t begin, std::size_t end, std::vector<BodyIndex>& list) {
+                               for (const BodyIndex i : std::span(m_active).subspan(begin, end - begin))
+                                   if (m_base.has(i)) list.push_back(i); // what has settled is calm
+                           });
     m_calm.note(input.bodies, input.state, m_entering, input.gravity, input.parts * input.substep);
     if (!(input.gravity.norm() > 0)) return;
     m_base.findSlowest(stepped(input), m_slowest);
@@ -331,7 +353,7 @@ void Contacts::sleepMarked(const SolverInput& input, const Is& isCalm) {
     m_left.clear();
     m_base.leaveMarked(stepped(input), m_found.manifolds(), m_leaving, m_left);
     for (const BodyIndex i : m_leaving) m_neighbours.settled().wake(i);
-    m_sort.sort(m_left, m_bodies.count());
+    m_sort.sort(m_left, m_bodies.count(), input.workers);
     std::sort(m_leaving.begin(), m_leaving.end());
     m_pairs.clear();
     for (const Manifolds::Entry& entry : m_left) m_pairs.push_back(entry.pair);

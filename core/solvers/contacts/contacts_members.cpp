@@ -6,6 +6,12 @@
 // Whom a substep of `contacts` is for: bodies that neither sleep nor fly, and which of them have settled.
 
 namespace carom {
+namespace {
+
+/// Bodies that one thread lists at least.
+constexpr std::size_t fewMembers = Workers::enoughOf(3);
+
+} // namespace
 
 // Finds the mobile bodies that neither sleep nor fly, with those of both kinds that they may touch.
 void Contacts::findMembers(const SolverInput& input) {
@@ -31,7 +37,7 @@ void Contacts::findMembers(const SolverInput& input) {
             for (const BodyIndex i : m_active) // what has settled stands still
                 if (m_base.has(i) && m_backOff[i] == 0 && !m_base.hasStill(i)) m_base.mark(i);
             m_base.countLevels(stepped(input), m_found.manifolds());
-            m_base.markOutgrown(m_found.manifolds());
+            m_base.markOutgrown(m_found.manifolds(), input.workers);
         }
         if (!m_base.renew(stepped(input), reachTime(input, input.parts * input.substep), lastingSkin,
                           m_neighbours, input.broadphase, m_found.manifolds()))
@@ -52,8 +58,12 @@ void Contacts::listMembers(const SolverInput& input) {
         return insert(m_woken, m_active);
     }
     m_members.clear();
-    for (const BodyIndex i : input.bodies.mobileBodies)
-        if (!m_sleeping.isAsleep(i)) m_members.push_back(i);
+    const std::span<const BodyIndex> mobile = input.bodies.mobileBodies;
+    input.workers.forLists(mobile.size(), fewMembers, m_members,
+                           [&](std::size_t begin, std::size_t end, std::vector<BodyIndex>& members) {
+                               for (const BodyIndex i : mobile.subspan(begin, end - begin))
+                                   if (!m_sleeping.isAsleep(i)) members.push_back(i);
+                           });
 }
 
 // Lists the members that have not settled. Bodies settle in the first substep of a frame: in no other is
@@ -61,7 +71,8 @@ void Contacts::listMembers(const SolverInput& input) {
 void Contacts::listActive(const SolverInput& input) {
     SettledBodies& settled = m_neighbours.settled();
     const double frame = input.parts * input.substep;
-    const bool isMoved = input.part == 0 && m_base.markIfMoved(input.state); // later nobody else moves them
+    const bool isMoved =
+        input.part == 0 && m_base.markIfMoved(input.state, input.workers); // later nobody else moves them
     if (isMoved || m_neighbours.asksAnew(frame) || m_substep != input.substep || m_frame != frame)
         settled.wakeAll();
     m_substep = input.substep;

@@ -13,6 +13,8 @@ namespace {
 
 /// Bodies of which one thread computes the energy at least, or what they have gained.
 constexpr std::size_t fewProducts = Workers::enoughOf(20), fewGains = Workers::enoughOf(10);
+/// And whose velocities it copies.
+constexpr std::size_t fewCopied = Workers::enoughOf(3);
 
 /// ½ v · M v' for two motions of a body, one body in each lane. For bodies that do not turn the spin's part
 /// is 0.
@@ -84,6 +86,13 @@ CAROM_WIDE void gains(const SolverBody* bodies, const BodyVelocity* before, List
     }
 }
 
+CAROM_WIDE void copyAll(const SolverBody* bodies, List list, BodyVelocity* to) {
+    for (const std::uint32_t i : list) {
+        storeWide(to[i].velocity.data(), loadWide(recordOf(bodies[i]))); // with what is beside them
+        storeWide(to[i].spin.data(), loadWide(recordOf(bodies[i]) + 4));
+    }
+}
+
 } // namespace
 
 double kineticEnergyOf(const SolverBody& body) {
@@ -93,13 +102,12 @@ double kineticEnergyOf(const SolverBody& body) {
     return energy;
 }
 
-CAROM_WIDE void copyVelocities(std::span<const SolverBody> bodies, std::span<const std::uint32_t> list,
-                               std::vector<BodyVelocity>& to) {
+void copyVelocities(std::span<const SolverBody> bodies, std::span<const std::uint32_t> list,
+                    std::vector<BodyVelocity>& to, Workers& workers) {
     to.resize(bodies.size());
-    for (const std::uint32_t i : list) {
-        storeWide(to[i].velocity.data(), loadWide(recordOf(bodies[i]))); // with what is beside them
-        storeWide(to[i].spin.data(), loadWide(recordOf(bodies[i]) + 4));
-    }
+    workers.forRanges(list.size(), fewCopied, [&](std::size_t begin, std::size_t end) {
+        copyAll(bodies.data(), list.subspan(begin, end - begin), to.data());
+    });
 }
 
 void findGains(std::span<const SolverBody> bodies, std::span<const BodyVelocity> before,

@@ -23,7 +23,7 @@ double kineticEnergyOf(const SolverBody& body);
 
 /// The velocities of bodies of a list, by number.
 void copyVelocities(std::span<const SolverBody> bodies, std::span<const std::uint32_t> list,
-                    std::vector<BodyVelocity>& to);
+                    std::vector<BodyVelocity>& to, Workers& workers = Workers::alone());
 /// About twice the energy that each body of a list has gained since it had the velocities `before`, less that
 /// of the speed whose square is `resting` [J]: as if it were a ball.
 void findGains(std::span<const SolverBody> bodies, std::span<const BodyVelocity> before,

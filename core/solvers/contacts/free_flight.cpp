@@ -320,10 +320,15 @@ void FreeFlight::land(const SolverInput& input, std::vector<BodyIndex>& landed) 
 // Moves bodies, whose flights end, from where these began through so many substeps.
 void FreeFlight::finish(const SolverInput& input, int parts, std::span<const BodyIndex> landed) {
     if (parts == 0) return;
-    for (const BodyIndex i : landed) {
-        input.state.pose[i].position = m_flight[i].position;
-        input.state.velocity[i] = m_flight[i].velocity;
-    }
+    input.workers.forRanges(landed.size(), fewMoved, [&](std::size_t begin, std::size_t end) {
+        const Flight* const flights = m_flight.data();
+        Pose* const poses = input.state.pose.data();
+        Vec3* const velocities = input.state.velocity.data();
+        for (const BodyIndex i : landed.subspan(begin, end - begin)) {
+            poses[i].position = flights[i].position;
+            velocities[i] = flights[i].velocity;
+        }
+    });
     m_coasting.move(input.lasting(parts), landed);
 }
 

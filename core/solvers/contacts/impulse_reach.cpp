@@ -14,6 +14,8 @@ namespace {
 /// Visits of a body, in the mean, for which there is room from the start. Twice or half changes memory only,
 /// and how often the list grows.
 constexpr std::size_t lookedAt = 4;
+/// Pairs that one thread looks at at least, in the end.
+constexpr std::size_t fewReached = Workers::enoughOf(5);
 constexpr double never = std::numeric_limits<double>::infinity();
 
 /// The least distance of a pair after `time` if nothing strikes it, less the slack within which bodies may
@@ -110,8 +112,10 @@ void ImpulseReach::find(const Input& input) {
             spread(input, m_queue[k], m_around[at]);
     m_isReached.resize(input.pairs.size());
     const auto isReached = [&](BodyIndex i) { return input.here.bodies.mobile[i] == 0 || m_time[i] < never; };
-    for (std::size_t p = 0; p < input.pairs.size(); ++p)
-        m_isReached[p] = isReached(input.pairs[p].a) && isReached(input.pairs[p].b) ? 1 : 0;
+    input.workers.forRanges(input.pairs.size(), fewReached, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t p = begin; p < end; ++p)
+            m_isReached[p] = isReached(input.pairs[p].a) && isReached(input.pairs[p].b) ? 1 : 0;
+    });
 }
 
 } // namespace carom

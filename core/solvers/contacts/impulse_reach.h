@@ -42,6 +42,7 @@ class ImpulseReach {
         std::span<const std::uint8_t> canMeet;    ///< by pair
         std::span<const std::uint8_t> isOnSpring; ///< by body
         std::span<const std::uint8_t> isPlaced;   ///< by body, not 0: on the base path
+        Workers& workers = Workers::alone();
     };
     void find(const Input& input);
     /// By pair, 1: impulses can reach both of its bodies, as far as they can move.

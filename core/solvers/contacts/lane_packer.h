@@ -48,6 +48,7 @@ class LanePacker {
         m_next.clear();
         restart();
     }
+    std::size_t bodies() const { return m_next.size(); }
     /// Bodies are numbered below `bodies` from now on.
     void reserve(std::size_t bodies) {
         if (m_next.size() < bodies) m_next.resize(bodies, 0);

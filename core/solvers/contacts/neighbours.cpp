@@ -2,6 +2,7 @@
 #include "core/solvers/contacts/neighbours.h"
 
 #include "core/base/reserve.h"
+#include "core/base/wide.h"
 
 #include <algorithm>
 #include <atomic>
@@ -29,6 +30,8 @@ constexpr std::size_t usualAround = 16;
 /// when they meet, and of which it tells the other body.
 constexpr std::size_t fewFound = Workers::enoughOf(1000), fewRenewed = Workers::enoughOf(30),
                       fewMeetings = Workers::enoughOf(10), fewTold = Workers::enoughOf(20);
+/// Bodies of which it finds how near they come to a wall.
+constexpr std::size_t fewByWalls = Workers::enoughOf(5);
 
 constexpr TimeSpan always{0, std::numeric_limits<double>::infinity()};
 
@@ -255,6 +258,13 @@ void Neighbours::searchForOutrun(const Bodies& bodies, const State& state) {
     for (const BodyIndex i : m_anew) m_isOutrun[i] = 0;
 }
 
+CAROM_INLINE bool Neighbours::comesNear(const Bodies& bodies, BodyIndex body, BodyIndex wall) const {
+    const Course& course = m_course[body];
+    const Wall& plane = std::get<Wall>(bodies.shape[wall]);
+    return std::min(distanceTo(plane, course.place), distanceTo(plane, course.placeAt(course.ends))) <=
+           m_extent[body];
+}
+
 // What a body may meet that has moved beyond its list.
 void Neighbours::findAround(const Bodies& bodies, BodyIndex body, Finds& finds) {
     const auto isTold = [&](BodyIndex other) { return bodies.mobile[other] != 0 && m_isOutrun[other] == 0; };
@@ -373,19 +383,18 @@ void Neighbours::addPair(const Bodies& bodies, BodyPair pair, const TimeSpan& me
     }
 }
 
-bool Neighbours::comesNear(const Bodies& bodies, BodyIndex body, BodyIndex wall) const {
-    const Course& course = m_course[body];
-    const Wall& plane = std::get<Wall>(bodies.shape[wall]);
-    return std::min(distanceTo(plane, course.place), distanceTo(plane, course.placeAt(course.ends))) <=
-           m_extent[body];
-}
-
 void Neighbours::findWallPairs(const Bodies& bodies) {
     m_wallPairs.clear();
     for (const BodyIndex w : bodies.walls)
-        for (const BodyIndex i : bodies.mobileBodies)
-            if (comesNear(bodies, i, w)) m_wallPairs.push_back({std::min(w, i), std::max(w, i)});
-    std::sort(m_wallPairs.begin(), m_wallPairs.end());
+        m_workers->forLists(bodies.mobileBodies.size(), fewByWalls, m_wallPairs,
+                            [&](std::size_t begin, std::size_t end, std::vector<BodyPair>& pairs) {
+                                for (const BodyIndex i :
+                                     std::span(bodies.mobileBodies).subspan(begin, end - begin))
+                                    if (comesNear(bodies, i, w))
+                                        pairs.push_back({std::min(w, i), std::max(w, i)});
+                            });
+    if (!std::is_sorted(m_wallPairs.begin(), m_wallPairs.end()))
+        std::sort(m_wallPairs.begin(), m_wallPairs.end());
     reserveFor(2 * m_wallPairs.size(), m_wallPairs);
 }
 

@@ -10,6 +10,8 @@ namespace {
 /// A slab is so many radii thick at least. At half, most pairs are between slabs; at twice, islands of few
 /// layers are not divided.
 constexpr double leastThickness = 4;
+/// Bodies of which one thread finds the slabs at least.
+constexpr std::size_t fewCut = Workers::enoughOf(5);
 
 // The axis that the bodies are spread along most, of those of the world; what of it is along gravity does not
 // count.
@@ -28,7 +30,7 @@ Eigen::Index widestAxis(std::span<const Vec3> places, const Vec3& gravity, doubl
 
 } // namespace
 
-std::span<const std::uint8_t> Slabs::divide(const Vec3& gravity) {
+std::span<const std::uint8_t> Slabs::divide(const Vec3& gravity, Workers& workers) {
     const std::size_t bodies = m_places.size();
     m_slabs.assign(bodies, 0);
     if (bodies < 2 * fewBodies) return m_slabs;
@@ -39,17 +41,25 @@ std::span<const std::uint8_t> Slabs::divide(const Vec3& gravity) {
     // A power of two, so that two or four threads have as many.
     const std::size_t count = std::bit_floor(
         std::min({bodies / fewBodies, most, static_cast<std::size_t>(std::clamp(wide, 1.0, double{most}))}));
+    if (count == 1) return m_slabs;
     m_along.clear();
     for (const Vec3& place : m_places) m_along.push_back(place[axis]);
     m_sorted = m_along;
-    auto first = m_sorted.begin();
-    for (std::size_t k = 1; k < count; ++k) { // planes, with as many bodies between each two
-        const auto nth = m_sorted.begin() + static_cast<std::ptrdiff_t>(k * bodies / count);
-        std::nth_element(first, nth, m_sorted.end());
-        for (std::size_t i = 0; i < bodies; ++i)
-            if (m_along[i] >= *nth) m_slabs[i] = static_cast<std::uint8_t>(k);
-        first = nth;
-    }
+    m_planes.resize(count - 1); // with as many bodies between each two
+    const auto place = [&](std::size_t k) {
+        return m_sorted.begin() + static_cast<std::ptrdiff_t>(k * bodies / count);
+    };
+    for (std::size_t slabs = count; slabs > 1; slabs /= 2) // every so many of them are cut in two
+        workers.forEach(count / slabs, [&](std::size_t, std::size_t part) {
+            const std::size_t first = part * slabs, middle = first + slabs / 2;
+            std::nth_element(place(first), place(middle), place(first + slabs));
+            m_planes[middle - 1] = *place(middle);
+        });
+    workers.forRanges(bodies, fewCut, [&](std::size_t begin, std::size_t end) {
+        for (const double at : m_planes)
+            for (std::size_t i = begin; i < end; ++i)
+                m_slabs[i] = static_cast<std::uint8_t>(m_slabs[i] + (m_along[i] >= at ? 1 : 0));
+    });
     return m_slabs;
 }
 

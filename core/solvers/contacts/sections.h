@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/counting_sort.h"
 #include "core/base/held_bytes.h"
 #include "core/base/scratch.h"
 #include "core/base/workers.h"
@@ -36,6 +37,9 @@ inline constexpr std::size_t sectionPhases = 4;
 
 /// Groups that one thread works on at least, where they are independent of each other.
 inline constexpr std::size_t fewShared = Workers::enoughOf(50);
+
+/// The same of groups of rows in a pass, which have one to four points.
+inline constexpr std::size_t fewSwept = Workers::enoughOf(100);
 
 /// Where a section ends in a list of pairs that are sorted by section.
 struct SectionEnd {
@@ -78,12 +82,13 @@ class Sections {
     /// way; for several of one phase at once.
     template<class Group, class Work>
     void forEach(std::span<Group> groups, bool back, Workers& workers, const Work& work) const {
-        forEachRange(groups.size(), back, workers,
+        forEachRange(groups.size(), back, fewSwept, workers,
                      [&](std::size_t begin, std::size_t end) { work(groups.subspan(begin, end - begin)); });
     }
-    /// The same of so many groups: calls work(begin, end).
+    /// The same of so many groups, `least` for a thread: calls work(begin, end).
     template<class Work>
-    void forEachRange(std::size_t groups, bool back, Workers& workers, const Work& work) const {
+    void forEachRange(std::size_t groups, bool back, std::size_t least, Workers& workers,
+                      const Work& work) const {
         if (m_ends.empty()) return work(std::size_t{0}, groups);
         const auto beginOf = [&](std::size_t section) {
             return section == 0 ? std::size_t{0} : std::size_t{m_ends[section - 1]};
@@ -95,7 +100,7 @@ class Sections {
             const std::size_t phase = back ? sectionPhases - 1 - k : k, first = m_first[phase],
                               last = phase + 1 == sectionPhases ? m_ends.size() : m_first[phase + 1] - 1;
             if (last + 1 == first) continue; // a phase without sections
-            Workers& several = endOf(last) - beginOf(first) < 2 * fewShared ? Workers::alone() : workers;
+            Workers& several = endOf(last) - beginOf(first) < 2 * least ? Workers::alone() : workers;
             several.forEach(last + 1 - first,
                             [&](std::size_t, std::size_t i) { work(beginOf(first + i), endOf(first + i)); });
         }
@@ -127,12 +132,12 @@ class Slabs {
         m_size += radius;
     }
     /// The number of the slab of each body, from 0 on, in the order in which they were added.
-    std::span<const std::uint8_t> divide(const Vec3& gravity);
+    std::span<const std::uint8_t> divide(const Vec3& gravity, Workers& workers = Workers::alone());
 
   private:
     std::vector<Vec3> m_places;
     double m_size = 0; // of all together [m]
-    std::vector<double> m_along, m_sorted;
+    std::vector<double> m_along, m_sorted, m_planes;
     std::vector<std::uint8_t> m_slabs;
 };
 
@@ -155,25 +160,29 @@ class SectionPlan {
     /// the sections end, but for the last one.
     template<class Item, class BodiesOf>
     std::span<const SectionEnd> sort(std::vector<Item>& items, std::vector<Item>& scratch,
-                                     const BodiesOf& bodiesOf) {
+                                     const BodiesOf& bodiesOf, Workers& workers = Workers::alone()) {
         m_ends.clear();
         if (!isDivided()) return m_ends;
-        m_section.clear();
-        m_begin.assign(m_phaseOf.size() + 1, 0);
-        for (const Item& item : items) {
-            const auto [a, b] = bodiesOf(item);
-            m_section.push_back(sectionOf(a, b));
-            ++m_begin[m_section.back() + 1];
-        }
-        for (std::size_t i = 1; i < m_begin.size(); ++i) m_begin[i] += m_begin[i - 1];
-        for (std::size_t i = 0; i < last(); ++i) m_ends.push_back({m_phaseOf[i], m_begin[i + 1]});
+        m_section.resize(items.size());
+        workers.forRanges(items.size(), fewSorted, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) {
+                const auto [a, b] = bodiesOf(items[i]);
+                m_section[i] = sectionOf(a, b);
+            }
+        });
         scratch.resize(items.size());
-        for (std::size_t i = 0; i < items.size(); ++i) scratch[m_begin[m_section[i]]++] = items[i];
+        m_sort.sort(
+            items.size(), m_phaseOf.size(), [this](std::size_t i, const auto& visit) { visit(m_section[i]); },
+            [&](std::size_t i, std::size_t place) { scratch[place] = items[i]; }, workers);
+        for (std::size_t i = 0; i < last(); ++i) m_ends.push_back({m_phaseOf[i], m_sort.endOf(i)});
         std::swap(items, scratch);
         return m_ends;
     }
 
   private:
+    /// Items of which one thread finds the sections at least.
+    static constexpr std::size_t fewSorted = Workers::enoughOf(5);
+
     std::uint32_t last() const { return static_cast<std::uint32_t>(m_phaseOf.size() - 1); }
 
     bool m_isMade = false;
@@ -183,7 +192,8 @@ class SectionPlan {
     std::vector<std::uint32_t> m_bodies;    // by island
     std::vector<std::uint8_t> m_slabs;      // by island: how many
     std::vector<std::uint32_t> m_firstSlab; // by island: the section of its first slab
-    std::vector<std::uint32_t> m_section, m_begin;
+    std::vector<std::uint32_t> m_section;   // by item
+    CountingSort m_sort;
     std::vector<SectionEnd> m_ends;
 };
 

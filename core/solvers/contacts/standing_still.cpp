@@ -68,7 +68,8 @@ void StandingStill::addUpLoads(const Input& input) {
     m_loadPairs.clear(input.pairs.general().size());
     for (std::uint32_t i = 1; i < input.islands.numbers(); ++i) {
         if (!m_still.isTouched(i)) continue;
-        for (const std::uint32_t number : input.pairs.ends(input.islands).pairsOf(i)) m_loadPairs.add(number);
+        for (const std::uint32_t number : input.pairs.ends(input.islands, input.of.workers).pairsOf(i))
+            m_loadPairs.add(number);
         m_still.clearLoads(i);
         if (m_still.is(i))
             m_still.lasting(i).force = input.of.bodies.mass[input.islands.bodyOf(i)] * input.of.gravity;
@@ -107,10 +108,10 @@ void StandingStill::touchBesideChanged(const Input& input) {
     const std::span<const std::uint8_t> changed = m_still.changed();
     for (std::uint32_t i = 1; i < input.islands.numbers(); ++i) {
         if (changed[i] == 0) continue;
-        for (const std::uint32_t number : input.pairs.ends(input.islands).pairsOf(i)) {
+        for (const std::uint32_t number : input.pairs.ends(input.islands, input.of.workers).pairsOf(i)) {
             const PersistentManifold& manifold = input.manifolds[input.pairs.entryOf(number).place];
             if (manifold.count == 0 || manifold.open) continue;
-            const auto [a, b] = input.pairs.ends(input.islands).of(number);
+            const auto [a, b] = input.pairs.ends(input.islands, input.of.workers).of(number);
             m_still.touch(a);
             m_still.touch(b);
         }
@@ -130,7 +131,7 @@ void StandingStill::touchBesideChanged(const Input& input) {
 
 // The loads by a pair that is not of two balls, on bodies of which loads are added up.
 void StandingStill::addUpLoadsOf(const Input& input, std::uint32_t number) {
-    const auto [a, b] = input.pairs.ends(input.islands).of(number);
+    const auto [a, b] = input.pairs.ends(input.islands, input.of.workers).of(number);
     double& heldDepth = input.pairs.general()[number].heldDepth;
     heldDepth = -1;
     if (!m_still.is(a) && !m_still.is(b)) return;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/solvers/contacts/stepped_bodies.h"
 
+#include "core/base/shared_loops.h"
 #include "core/dynamics/contact_memory.h"
 #include "core/dynamics/free_rotation.h"
 #include "core/math/rotation.h"
@@ -17,6 +18,8 @@ namespace {
 /// part. A pass diverges where they are too large by 2 (it is then a relaxation by more than 2); at half,
 /// they are computed anew twice as often.
 constexpr double mostChange = 0.25;
+/// Bodies that one thread lists at least.
+constexpr std::size_t fewSpinning = Workers::enoughOf(3);
 
 } // namespace
 
@@ -73,20 +76,19 @@ void SteppedBodies::leave(std::span<const std::uint32_t> newNumbers, std::size_t
     forgetMoving();
 }
 
-bool SteppedBodies::isUnchanged(const State& state, const SteppedIslands& islands) const {
-    for (std::size_t i = 1; i < m_solved.size(); ++i) {
+bool SteppedBodies::isUnchanged(const State& state, const SteppedIslands& islands, Workers& workers) const {
+    return !holdsForAny(m_solved.size() - 1, fewAwake, workers, [&](std::size_t k) {
+        const std::size_t i = k + 1;
         const BodyIndex body = islands.bodyOf(i);
-        if (vectorOf(m_solved[i].velocity) != state.velocity[body] ||
-            vectorOf(m_solved[i].spin) != state.angularVelocity[body] ||
-            vectorOf(m_places[i].position) != state.pose[body].position ||
-            m_turning.orientationOf(i).coeffs() != state.pose[body].orientation.coeffs())
-            return false;
-    }
-    return true;
+        return vectorOf(m_solved[i].velocity) != state.velocity[body] ||
+               vectorOf(m_solved[i].spin) != state.angularVelocity[body] ||
+               vectorOf(m_places[i].position) != state.pose[body].position ||
+               m_turning.orientationOf(i).coeffs() != state.pose[body].orientation.coeffs();
+    });
 }
 
 bool SteppedBodies::findMoving(std::span<const std::uint8_t> isStill, const PairEnds& ends,
-                               const SteppedIslands& islands) {
+                               const SteppedIslands& islands, Workers& workers) {
     if (std::exchange(m_moving.isKnown, true)) return false;
     m_isPaired.assign(m_solved.size(), 0);
     m_moving.pairs.resize(ends.all().size());
@@ -100,39 +102,42 @@ bool SteppedBodies::findMoving(std::span<const std::uint8_t> isStill, const Pair
         if (moves) isPaired[a] = isPaired[b] = 1;
     }
     m_moving.pairs.resize(pairs);
-    m_moving.awake.clear();
-    m_moving.bodies.clear();
-    m_moving.paired.clear();
+    m_moving.clear();
     m_since.resize(m_solved.size());
     m_seenTurn.resize(m_solved.size());
     m_isFar.resize(m_solved.size(), 0);
-    for (std::uint32_t i = 1; i < m_solved.size(); ++i) {
-        if (isStill[i] != 0) {
-            m_moved[i] = {};
-            m_since[i] = {};
-            continue;
-        }
-        m_moving.awake.push_back(i);
-        m_moving.bodies.push_back(islands.bodyOf(i));
-        if (m_isPaired[i] != 0) m_moving.paired.push_back(i);
-    }
+    workers.forLists(
+        m_solved.size() - 1, fewAwake, static_cast<MovingBodies&>(m_moving),
+        [&](std::size_t begin, std::size_t end, MovingBodies& moving) {
+            for (auto i = static_cast<std::uint32_t>(begin + 1); i <= end; ++i) {
+                if (isStill[i] != 0) {
+                    m_moved[i] = {};
+                    m_since[i] = {};
+                    continue;
+                }
+                moving.awake.push_back(i);
+                moving.bodies.push_back(islands.bodyOf(i));
+                if (m_isPaired[i] != 0) moving.paired.push_back(i);
+            }
+        },
+        [this](const MovingBodies& part) { m_moving.append(part); });
     return true;
 }
 
-void SteppedBodies::noteMoved(const Bodies& bodies, const SteppedIslands& islands, double part,
+void SteppedBodies::noteMoved(const SteppedInput& input, const SteppedIslands& islands, double part,
                               double angle) {
-    for (const std::uint32_t i : m_moving.paired) {
+    forEachOf(m_moving.paired, input.workers, [&](std::uint32_t i) {
         MovedSince& since = m_since[i];
         since.shift += vectorOf(m_moved[i].shift);
         since.turned = (vectorOf(m_moved[i].turn) - vectorOf(m_seenTurn[i].turn)).norm();
         since.moved = since.shift.norm();
-        if (since.moved > part * bodies.boundingRadius[islands.bodyOf(i)] || since.turned > angle)
+        if (since.moved > part * input.bodies.boundingRadius[islands.bodyOf(i)] || since.turned > angle)
             m_isFar[i] = 1;
-    }
+    });
 }
 
-void SteppedBodies::forgetMoved() {
-    for (const std::uint32_t i : m_moving.awake) {
+void SteppedBodies::forgetMoved(Workers& workers) {
+    forEachOf(m_moving.awake, workers, [&](std::uint32_t i) {
         const bool isFar = m_isFar[i] != 0;
         if (isFar)
             m_seenTurn[i] = {};
@@ -141,7 +146,7 @@ void SteppedBodies::forgetMoved() {
         if (isFar) m_since[i] = {};
         m_moved[i] = {};
         m_struck[i] = 0;
-    }
+    });
     std::fill(m_isFar.begin(), m_isFar.end(), std::uint8_t{0});
 }
 
@@ -208,30 +213,39 @@ bool SteppedBodies::move(const SteppedInput& input, const SteppedIslands& island
         shift(input, islands, duration, awake.subspan(begin, end - begin));
     });
     m_turns.clear();
-    for (const std::uint32_t i : awake)
-        if (vectorOf(m_solved[i].spin) != Vec3::Zero() && (turnsBalls || !(m_solved[i].roundInverse > 0)))
-            m_turns.push_back(i);
+    const auto turns = [&](std::uint32_t i) {
+        return vectorOf(m_solved[i].spin) != Vec3::Zero() && (turnsBalls || !(m_solved[i].roundInverse > 0));
+    };
+    input.workers.forLists(awake.size(), fewSpinning, static_cast<std::vector<std::uint32_t>&>(m_turns),
+                           [&](std::size_t begin, std::size_t end, std::vector<std::uint32_t>& list) {
+                               for (const std::uint32_t i : awake.subspan(begin, end - begin))
+                                   if (turns(i)) list.push_back(i);
+                           });
     m_turning.turn(m_turns, duration, m_solved, input.workers);
     forEachOf(m_turns, input.workers, [&](std::uint32_t i) {
         input.state.pose[islands.bodyOf(i)].orientation = m_turning.orientationOf(i);
         input.state.angularMomentum[islands.bodyOf(i)] = m_turning.momentumOf(i);
     });
-    return renewMasses();
+    return renewMasses(input.workers);
 }
 
 // A body that turns by φ changes its response to an impulse, along any direction, by at most φ (I₁/I₃ − 1) of
 // it, with I₁ and I₃ its largest and least moment of inertia.
-bool SteppedBodies::renewMasses() {
-    bool any = false;
-    for (const std::uint32_t i : std::span<const std::uint32_t>(m_turns)) {
-        Displacement& moved = m_moved[i];
-        if (!((moved.angle - moved.renewed) * m_turning.unevennessOf(i) > mostChange)) continue;
-        if (!any) m_hasTurned.assign(m_solved.size(), 0);
-        any = true;
+bool SteppedBodies::renewMasses(Workers& workers) {
+    const auto hasTurned = [&](std::uint32_t i) {
+        const Displacement& moved = m_moved[i];
+        return (moved.angle - moved.renewed) * m_turning.unevennessOf(i) > mostChange;
+    };
+    if (!holdsForAny(m_turns.size(), fewSpinning, workers,
+                     [&](std::size_t k) { return hasTurned(m_turns[k]); }))
+        return false;
+    m_hasTurned.assign(m_solved.size(), 0);
+    forEachOf(m_turns, workers, [&](std::uint32_t i) {
+        if (!hasTurned(i)) return;
         m_hasTurned[i] = 1;
-        moved.renewed = moved.angle;
-    }
-    return any;
+        m_moved[i].renewed = m_moved[i].angle;
+    });
+    return true;
 }
 
 void SteppedBodies::turnBalls(const SteppedInput& input, const SteppedIslands& islands) {

@@ -45,6 +45,17 @@ struct MovingBodies {
     std::vector<std::uint32_t> pairs;  ///< that are not of balls, of which one moves
     std::vector<std::uint32_t> paired; ///< numbers of those awake in such pairs
     bool isKnown = false;
+
+    void clear() {
+        for (std::vector<std::uint32_t>* list : {&awake, &paired}) list->clear();
+        bodies.clear();
+    }
+    /// Those after these, but for the pairs.
+    void append(const MovingBodies& later) {
+        awake.insert(awake.end(), later.awake.begin(), later.awake.end());
+        bodies.insert(bodies.end(), later.bodies.begin(), later.bodies.end());
+        paired.insert(paired.end(), later.paired.begin(), later.paired.end());
+    }
 };
 
 class SteppedBodies {
@@ -61,7 +72,7 @@ class SteppedBodies {
     /// Those with a new number keep all but how far they have moved.
     void leave(std::span<const std::uint32_t> newNumbers, std::size_t kept);
     /// Whether the bodies are where, and as fast as, the last step left them.
-    bool isUnchanged(const State& state, const SteppedIslands& islands) const;
+    bool isUnchanged(const State& state, const SteppedIslands& islands, Workers& workers) const;
 
     std::span<SolverBody> solved() { return m_solved; }
     std::span<const SolverBody> solved() const { return m_solved; }
@@ -80,6 +91,13 @@ class SteppedBodies {
         m_isFar.resize(m_solved.size(), 0);
         m_isFar[number] = 1;
     }
+    /// The same of all that move of which is(number) holds.
+    template<class Is>
+    void noteFarWhere(const Is& is, Workers& workers) {
+        forEachOf(m_moving.awake, workers, [&](std::uint32_t i) {
+            if (is(i)) m_isFar[i] = 1;
+        });
+    }
     bool isFar(std::uint32_t number) const { return m_isFar[number] != 0; }
     /// An impulse has acted on it since the last look, this step included.
     bool isStruck(std::uint32_t number) const {
@@ -92,7 +110,7 @@ class SteppedBodies {
     const MovingBodies& moving() const { return m_moving; }
     /// Lists what moves. False if it was known.
     bool findMoving(std::span<const std::uint8_t> isStill, const PairEnds& ends,
-                    const SteppedIslands& islands);
+                    const SteppedIslands& islands, Workers& workers);
     /// Calls work(number) for all bodies of a list.
     template<class Work>
     static void forEachOf(std::span<const std::uint32_t> list, Workers& workers, const Work& work) {
@@ -103,9 +121,9 @@ class SteppedBodies {
 
     /// A look: notes how far bodies have come, and which have come further than these parts of their size and
     /// angle [rad].
-    void noteMoved(const Bodies& bodies, const SteppedIslands& islands, double part, double angle);
+    void noteMoved(const SteppedInput& input, const SteppedIslands& islands, double part, double angle);
     /// They have not moved since this look.
-    void forgetMoved();
+    void forgetMoved(Workers& workers);
 
     void beginStep(const SteppedInput& input, const SteppedIslands& islands, double duration);
     /// True if the effective masses of rows with a body that `hasTurned` must be computed anew.
@@ -122,7 +140,7 @@ class SteppedBodies {
     void recordTerms(const SteppedInput& input);
     void shift(const SteppedInput& input, const SteppedIslands& islands, double duration,
                std::span<const std::uint32_t> list);
-    bool renewMasses();
+    bool renewMasses(Workers& workers);
 
     std::vector<SolverBody> m_solved;
     std::vector<BodyPlace> m_places;

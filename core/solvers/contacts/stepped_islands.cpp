@@ -95,7 +95,7 @@ void SteppedIslands::noteStill(std::span<const std::uint8_t> isStill) {
         if (isStill[i] != 0) m_groups[m_island[i]].hasStill = true;
 }
 
-bool SteppedIslands::divide(const Bodies& bodies, const State& state, const Vec3& gravity) {
+bool SteppedIslands::divide(const SteppedInput& input) {
     m_divided.clear();
     if (!std::exchange(m_isUnordered, false) ||
         std::none_of(m_groups.begin(), m_groups.end(), std::mem_fn(&Group::isUnordered)))
@@ -114,8 +114,8 @@ bool SteppedIslands::divide(const Bodies& bodies, const State& state, const Vec3
             std::find_if(from, m_divided.end(), [&](std::uint32_t i) { return m_island[i] != island; });
         m_slabs.clear();
         for (auto i = from; i != to; ++i)
-            m_slabs.add(state.pose[bodyOf(*i)].position, bodies.boundingRadius[bodyOf(*i)]);
-        for (const std::uint8_t slab : m_slabs.divide(gravity)) m_slab[*from++] = slab;
+            m_slabs.add(input.state.pose[bodyOf(*i)].position, input.bodies.boundingRadius[bodyOf(*i)]);
+        for (const std::uint8_t slab : m_slabs.divide(input.gravity, input.workers)) m_slab[*from++] = slab;
     }
     return true;
 }

@@ -6,6 +6,7 @@
 #include "core/dynamics/bodies.h"
 #include "core/dynamics/state.h"
 #include "core/solvers/contacts/sections.h"
+#include "core/solvers/contacts/stepped_input.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -105,7 +106,7 @@ class SteppedIslands {
     }
     bool isUnordered(BodyPair pair) const { return m_groups[m_island[memberOf(pair)]].isUnordered(); }
     /// Divides unordered islands into slabs. False if there are none.
-    bool divide(const Bodies& bodies, const State& state, const Vec3& gravity);
+    bool divide(const SteppedInput& input);
     /// Numbers of the bodies that the last call divided.
     std::span<const std::uint32_t> divided() const { return m_divided; }
     /// The pairs of all islands are in order.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/solvers/contacts/stepped_motion.h"
 
+#include "core/base/shared_loops.h"
 #include "core/base/wide.h"
 #include "core/dynamics/contact_memory.h"
 #include "core/dynamics/free_rotation.h"
@@ -10,6 +11,7 @@
 #include "core/solvers/contacts/wide_bodies.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -54,6 +56,15 @@ CAROM_WIDE std::uint32_t firstNotFinite(std::span<const SolverBody> bodies,
     return 0;
 }
 
+std::uint32_t firstNotFinite(std::span<const SolverBody> bodies, std::span<const std::uint32_t> list,
+                             Workers& workers) {
+    std::atomic<bool> any = false;
+    workers.forRanges(list.size(), SteppedBodies::fewAwake, [&](std::size_t begin, std::size_t end) {
+        if (firstNotFinite(bodies, list.subspan(begin, end - begin)) != 0) any = true;
+    });
+    return any ? firstNotFinite(bodies, list) : 0;
+}
+
 } // namespace
 
 void SteppedMotion::begin(const Bodies& bodies, const Division& division, double substep) {
@@ -93,7 +104,7 @@ void SteppedMotion::addPair(const SteppedInput& input, const Entry& entry, Manif
 // Passes solve for pairs in the order of their bodies' numbers, from the top to the ground, not in that in
 // which they were added: a heap whose lowest contacts are solved first does not come to rest.
 void SteppedMotion::order(const SteppedInput& input) {
-    const bool isUnordered = m_islands.divide(input.bodies, input.state, input.gravity);
+    const bool isUnordered = m_islands.divide(input);
     for (const std::uint32_t i : m_islands.divided()) m_bodies.noteFar(i); // rows follow suit
     if (m_pairs.order()) m_bodies.forgetMoving();
     if (isUnordered) m_pairs.orderBalls(input, m_islands);
@@ -167,7 +178,8 @@ CAROM_INLINE bool SteppedMotion::isStruck(const Watched& pair) const {
 
 // The first of the watched pairs from `number` on that is struck, or `end`.
 CAROM_WIDE std::size_t SteppedMotion::nextStruck(std::size_t number, std::size_t end) const {
-    while (number < end && (m_watched[number].entry == ContactRows::noPair || !isStruck(m_watched[number])))
+    while (number < end &&
+           (m_found.watched[number].entry == ContactRows::noPair || !isStruck(m_found.watched[number])))
         ++number;
     return number;
 }
@@ -178,16 +190,16 @@ bool SteppedMotion::addStruck(const SteppedInput& input, double duration, Manifo
     bool any = m_pairs.balls().findStruck(m_bodies.solved(), m_bodies.places(), m_bodies.moved(), duration,
                                           input.gravity, input.workers);
     bool anyRow = false;
-    if (!m_watched.empty()) foreseeStruck(duration, input.workers);
+    if (!m_found.watched.empty()) foreseeStruck(duration, input.workers);
     m_struckPairs.clear();
-    input.workers.forLists(m_watched.size(), fewAwake, static_cast<std::vector<std::size_t>&>(m_struckPairs),
-                           [&](std::size_t begin, std::size_t end, std::vector<std::size_t>& struck) {
-                               for (std::size_t i = nextStruck(begin, end); i < end;
-                                    i = nextStruck(i + 1, end))
-                                   struck.push_back(i);
-                           });
+    input.workers.forLists(
+        m_found.watched.size(), fewAwake, static_cast<std::vector<std::size_t>&>(m_struckPairs),
+        [&](std::size_t begin, std::size_t end, std::vector<std::size_t>& struck) {
+            for (std::size_t i = nextStruck(begin, end); i < end; i = nextStruck(i + 1, end))
+                struck.push_back(i);
+        });
     for (const std::size_t i : std::span<const std::size_t>(m_struckPairs)) {
-        auto& [entry, number, open] = m_watched[i];
+        auto& [entry, number, open] = m_found.watched[i];
         PersistentManifold& manifold = manifolds[m_pairs.entries()[entry].place];
         const SolverBody &bodyA = m_bodies.solved()[open.a], &bodyB = m_bodies.solved()[open.b];
         if (open.a != immobile) input.state.velocity[manifold.pair.a] = vectorOf(bodyA.velocity);
@@ -253,7 +265,7 @@ void SteppedMotion::step(const SteppedInput& input, double duration, Manifolds& 
     }
     limitEnergy(settings, input.workers, true);
     if (!m_pulling.empty()) limitSprings(input, settings, report);
-    if (const std::uint32_t lost = firstNotFinite(m_bodies.solved(), m_bodies.moving().awake);
+    if (const std::uint32_t lost = firstNotFinite(m_bodies.solved(), m_bodies.moving().awake, input.workers);
         lost != immobile) {
         const bool isVelocity = !vectorOf(m_bodies.solved()[lost].velocity).allFinite();
         report.loss = {m_islands.bodyOf(lost), isVelocity ? "velocity" : "angular velocity"};
@@ -313,10 +325,10 @@ bool SteppedMotion::mayGainEnergy(const StepSettings& settings, Workers& workers
     const std::span<const std::uint32_t> awake = m_bodies.moving().awake, part = partOf();
     findGains(m_bodies.solved(), m_bodies.free(), awake, settings.resting * settings.resting, m_gains,
               workers);
-    m_gained.resize(parts());
-    for (const std::uint32_t i : awake) m_gained[part[i]] = 0;
+    m_gained.assign(parts(), 0);
     for (std::size_t k = 0; k < awake.size(); ++k) m_gained[part[awake[k]]] += m_gains[k];
-    return std::any_of(awake.begin(), awake.end(), [&](std::uint32_t i) { return m_gained[part[i]] > 0; });
+    return holdsForAny(awake.size(), fewAwake, workers,
+                       [&](std::size_t k) { return m_gained[part[awake[k]]] > 0; });
 }
 
 void SteppedMotion::rebound(const StepSettings& settings, Workers& workers, SteppedReport& report) {
@@ -327,7 +339,7 @@ void SteppedMotion::rebound(const StepSettings& settings, Workers& workers, Step
     report.work.impacts += static_cast<std::uint64_t>(impacts);
     for (const SpringRow& spring : m_springs)
         m_energy.allow(partOf()[movingEnd(spring, m_still.bodies())], workOf(spring, m_bodies.solved()));
-    copyVelocities(m_bodies.solved(), m_bodies.moving().awake, m_before);
+    copyVelocities(m_bodies.solved(), m_bodies.moving().awake, m_before, workers);
     const int passes =
         m_pairs.balls().rebound(m_bodies.solved(), m_bodies.moved(), settings, mostStrikes, active, workers);
     report.work.rowsSwept +=

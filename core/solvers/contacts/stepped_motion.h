@@ -3,8 +3,8 @@
 
 #include "core/base/scratch.h"
 #include "core/base/workers.h"
-#include "core/dynamics/energy.h"
 #include "core/dynamics/forced_steps.h"
+#include "core/dynamics/invariant_terms.h"
 #include "core/dynamics/ledger.h"
 #include "core/dynamics/work_counters.h"
 #include "core/solvers/contacts/ball_rows.h"
@@ -116,16 +116,34 @@ class SteppedMotion {
                         const Visit& visit) const {
         m_pairs.forEachContact(bodies, state, manifolds, m_step, visit);
     }
-    /// visit(island, points in contact, round) for every pair that has a manifold or is of balls in contact,
-    /// as of the last substep.
-    template<class Visit>
-    void forEachCount(const Manifolds& manifolds, const Visit& visit) const {
-        for (const SteppedPairs::General& pair : m_pairs.general()) {
-            const PersistentManifold& manifold = manifolds[m_pairs.entries()[pair.entry].place];
-            visit(m_islands.of(manifold.pair), manifold.open ? 0 : manifold.count, manifold.round);
-        }
-        m_pairs.balls().forEachPressed(
-            [&](std::uint32_t index) { visit(m_islands.of(m_pairs.entries()[index].pair), 1, true); });
+    /// Adds to the counts of their islands, by add(counts, island, points in contact, round), all pairs that
+    /// have a manifold or are of balls in contact, as of the last substep. Counts of parts are given to
+    /// append(counts), those of no pair are `none`.
+    template<class Counts, class Add, class Append>
+    void count(const Manifolds& manifolds, Counts& all, const Counts& none, const Add& add,
+               const Append& append, Workers& workers) const {
+        const auto addPairs = [&](std::size_t pairs, const auto& visit) {
+            const std::size_t least = std::max(Workers::enoughOf(10), m_islands.islandNumbers());
+            workers.forLists(
+                pairs, least, all,
+                [&](std::size_t begin, std::size_t end, Counts& counts) {
+                    if (&counts != &all) counts = none;
+                    visit(begin, end, [&](BodyPair pair, int points, bool isRound) {
+                        add(counts, m_islands.of(pair), points, isRound);
+                    });
+                },
+                append);
+        };
+        addPairs(m_pairs.general().size(), [&](std::size_t begin, std::size_t end, const auto& visit) {
+            for (const SteppedPairs::General& pair : m_pairs.general().subspan(begin, end - begin)) {
+                const PersistentManifold& manifold = manifolds[m_pairs.entries()[pair.entry].place];
+                visit(manifold.pair, manifold.open ? 0 : manifold.count, manifold.round);
+            }
+        });
+        addPairs(m_pairs.balls().groups(), [&](std::size_t begin, std::size_t end, const auto& visit) {
+            m_pairs.balls().forEachPressed(
+                begin, end, [&](std::uint32_t index) { visit(m_pairs.entries()[index].pair, 1, true); });
+        });
     }
     /// Lets bodies of which `is(body)` holds stand still from now on, if the forces on them balance; not in
     /// islands that are marked.
@@ -145,7 +163,9 @@ class SteppedMotion {
     std::span<const BodyIndex> movedOn() const { return m_movedOn; }
     std::span<Entry> entries() { return m_pairs.entries(); }
     /// Whether the bodies are where, and as fast as, the last substep left them.
-    bool isUnchanged(const State& state) const { return m_bodies.isUnchanged(state, m_islands); }
+    bool isUnchanged(const State& state, Workers& workers) const {
+        return m_bodies.isUnchanged(state, m_islands, workers);
+    }
     /// Memory that a copy holds.
     std::size_t bytes() const;
     /// Appends the bodies and the pairs of islands that are marked, with their present manifolds; pairs of
@@ -175,6 +195,18 @@ class SteppedMotion {
         bool hasPoints = false;
         bool isTouching = false;
         bool isWatched = false; ///< not in contact, and near enough to be struck
+    };
+    /// What follows from a look.
+    struct Found {
+        std::vector<Seen> touching;
+        std::vector<Watched> watched;
+        std::vector<std::uint32_t> parted; ///< entries that had rows, and are not in contact
+
+        void append(const Found& later) {
+            touching.insert(touching.end(), later.touching.begin(), later.touching.end());
+            watched.insert(watched.end(), later.watched.begin(), later.watched.end());
+            parted.insert(parted.end(), later.parted.begin(), later.parted.end());
+        }
     };
     /// A pair in contact, with the place of its rows.
     struct Placed {
@@ -220,6 +252,23 @@ class SteppedMotion {
         LanePacker::Place place;
         bool adds = false;
     };
+    /// Such pairs, ascending.
+    struct AheadList {
+        std::vector<AheadTask> tasks;
+        std::vector<std::size_t> groups;    ///< the first task of every group of rows that has any
+        std::vector<std::uint32_t> changed; ///< groups of which some rows change
+
+        void clear() {
+            tasks.clear();
+            groups.clear();
+            changed.clear();
+        }
+        void append(const AheadList& later) {
+            for (const std::size_t first : later.groups) groups.push_back(tasks.size() + first);
+            tasks.insert(tasks.end(), later.tasks.begin(), later.tasks.end());
+            changed.insert(changed.end(), later.changed.begin(), later.changed.end());
+        }
+    };
     /// Where the bodies of such a pair are moved to, and how far they have come since the look then.
     struct AheadPair {
         PosesOfPair at;
@@ -254,7 +303,7 @@ class SteppedMotion {
     void order(const SteppedInput& input);
     void look(const SteppedInput& input, double duration, Manifolds& manifolds, SteppedReport& report);
     void keepRows(const SteppedInput& input, const Manifolds& manifolds);
-    void dropRows();
+    void dropRows(Workers& workers);
     /// Where the rows are that a pair had when the look began, and that it does not keep.
     LanePacker::Place oldRowsOf(std::uint32_t entry) const {
         return {m_rows.numberNow(m_rowOf[entry].group), m_rowOf[entry].lane};
@@ -273,6 +322,7 @@ class SteppedMotion {
     std::uint32_t frameOf(BodyIndex body, std::uint32_t number, bool turns);
     void findContacts(const SteppedInput& input, double duration, std::span<const std::uint32_t> pairs,
                       Manifolds& manifolds, SteppedReport& report);
+    std::size_t listFound(Workers& workers);
     void updatePairs(const ManifoldInput& here, std::span<const std::uint32_t> pairs, Manifolds& manifolds,
                      Workers& workers, SteppedReport& report);
     Seen see(const ManifoldInput& here, std::uint32_t number, double fall, Manifolds& manifolds,
@@ -281,7 +331,7 @@ class SteppedMotion {
                  std::size_t& collided);
     void rememberBefore(const SteppedInput& input);
     void recordMotion(const SteppedInput& input, double duration);
-    void findMoving();
+    void findMoving(Workers& workers);
     void noteTravel(const SteppedInput& input, double duration);
     double comesAlong(const Vec3& normal, std::uint32_t numberA, std::uint32_t numberB) const;
     bool staysOpen(OpenPair& pair, double fall) const;
@@ -300,7 +350,8 @@ class SteppedMotion {
     static void moveAhead(const Foreseen& body, double part, Pose& pose, Displacement& moved);
     bool lookAhead(const SteppedInput& input, double duration, Manifolds& manifolds, SteppedReport& report,
                    bool isSolved);
-    void listAhead(bool isSolved);
+    void listAhead(bool isSolved, Workers& workers);
+    void listAhead(bool isSolved, std::uint32_t group, AheadList& ahead) const;
     void removeAdded(bool hasRebounded);
     bool moveToNearest(const ManifoldInput& there, const std::array<std::uint32_t, 2>& numbers,
                        const Vec3& normal, AheadPair& ahead) const;
@@ -339,6 +390,7 @@ class SteppedMotion {
     Invariants m_atBegin;             // of the bodies that move, with a ledger, before the substep
     Invariants m_after;               // as the last substep left them
     bool m_isAfterKnown = false;      // the same bodies are here since
+    Scratch<InvariantTerms> m_invariantTerms;
     Derived<Weight> m_weight;
     SteppedIslands m_islands;
     SteppedBodies m_bodies;
@@ -365,11 +417,11 @@ class SteppedMotion {
     Scratch<std::vector<Framed>> m_framed;
     Scratch<std::vector<BodyFrame>> m_frames;
     Scratch<std::vector<std::uint32_t>> m_frameOf; // by number: its place in m_frames, if it has one
-    Scratch<std::vector<Watched>> m_watched;
-    Scratch<std::vector<std::size_t>> m_struckPairs;         // of these
-    Scratch<std::vector<Seen>> m_seen, m_touching, m_sorted; // of a look: all, and those in contact
-    Scratch<std::vector<Travel>> m_travel;                   // by number
-    Scratch<std::vector<Coming>> m_coming;                   // by number
+    Scratch<std::vector<Seen>> m_seen, m_sorted;   // of a look: all, and those in contact
+    Scratch<Found> m_found;
+    Scratch<std::vector<std::size_t>> m_struckPairs; // of those that are watched
+    Scratch<std::vector<Travel>> m_travel;           // by number
+    Scratch<std::vector<Coming>> m_coming;           // by number
     Scratch<std::vector<std::uint8_t>> m_hasTurned;  // by number: since the rows had their effective masses
     Scratch<std::vector<LanePacker::Place>> m_rowOf; // by entry: place of its rows when the look began
     Scratch<std::vector<Rows>> m_rowState;           // by entry
@@ -377,9 +429,7 @@ class SteppedMotion {
     Scratch<std::vector<std::uint32_t>> m_again;     // pairs to be looked at once more
     Scratch<std::vector<Foreseen>> m_foreseen;       // ascending
     Scratch<std::vector<LanePacker::Place>> m_addedRows; // for the rest of a step
-    Scratch<std::vector<std::uint32_t>> m_changedGroups; // of rows, by looking ahead
-    Scratch<std::vector<AheadTask>> m_ahead;             // ascending
-    Scratch<std::vector<std::size_t>> m_aheadGroups;     // the first of m_ahead of every group that has any
+    Scratch<AheadList> m_ahead;
     Scratch<std::vector<AheadFinds>> m_aheadFinds;
     bool m_hasEmptyRows = false;                 // pairs have rows without points
     Scratch<std::vector<double>> m_gained;       // by part: about twice the energy that contacts give [J]

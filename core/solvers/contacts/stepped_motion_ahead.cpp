@@ -32,6 +32,8 @@ constexpr double mostSunk = 0.25;
 
 /// Groups of rows whose contacts one thread finds ahead, at least.
 constexpr std::size_t fewAhead = Workers::enoughOf(2000);
+/// And that it looks through for these.
+constexpr std::size_t fewGroups = Workers::enoughOf(10);
 
 bool beginsImpact(const RowPoint& row, std::size_t lane) { return row.approach[lane] > 0; }
 bool tookImpact(const RowPoint& row, std::size_t lane) {
@@ -134,16 +136,18 @@ bool SteppedMotion::lookAhead(const SteppedInput& input, double duration, Manifo
     foreseeTurned(input, duration);
     if (m_foreseen.empty() && !m_hasEmptyRows) return false;
     const std::size_t groups = m_rows.groups().size();
-    listAhead(isSolved);
+    listAhead(isSolved, input.workers);
     const ManifoldInput there{input.bodies, input.state, input.gravity, duration};
     // Rows of one group are written by one thread; few scenes have rolling resistance.
     Workers& workers = m_rows.rolling().empty() ? input.workers : Workers::alone();
     const std::span<AheadFinds> parts = workers.forKeptLists(
-        m_aheadGroups.size(), fewAhead, static_cast<std::vector<AheadFinds>&>(m_aheadFinds),
+        m_ahead.groups.size(), fewAhead, static_cast<std::vector<AheadFinds>&>(m_aheadFinds),
         [&](std::size_t begin, std::size_t end, AheadFinds& finds) {
-            const std::size_t last = end < m_aheadGroups.size() ? m_aheadGroups[end] : m_ahead.size();
-            for (std::size_t i = begin < end ? m_aheadGroups[begin] : last; i < last; ++i)
-                findAnew(there, m_ahead[i], manifolds, finds);
+            const auto taskOf = [&](std::size_t group) {
+                return group < m_ahead.groups.size() ? m_ahead.groups[group] : m_ahead.tasks.size();
+            };
+            for (std::size_t i = taskOf(begin); i < taskOf(end); ++i)
+                findAnew(there, m_ahead.tasks[i], manifolds, finds);
         });
     std::size_t collided = 0;
     for (const AheadFinds& finds : parts) {
@@ -154,33 +158,38 @@ bool SteppedMotion::lookAhead(const SteppedInput& input, double duration, Manifo
     report.work.pairsCollided += collided;
     if (m_rows.groups().size() > groups) m_rows.end(m_bodies.solved());
     for (std::size_t group = groups; group < m_rows.groups().size(); ++group)
-        m_changedGroups.push_back(static_cast<std::uint32_t>(group));
-    updateGaps(m_rows, m_changedGroups, m_bodies.moved());
+        m_ahead.changed.push_back(static_cast<std::uint32_t>(group));
+    updateGaps(m_rows, m_ahead.changed, m_bodies.moved());
     return collided > 0;
 }
 
 // Lists the pairs with rows to be found anew: those of bodies that turn, and those without points.
-void SteppedMotion::listAhead(bool isSolved) {
-    m_changedGroups.clear();
-    m_ahead.clear();
-    m_aheadGroups.clear();
-    const std::span<const RowGroup> groups = m_rows.groups();
-    for (std::uint32_t group = 0; group < groups.size(); ++group) {
-        const RowGroup& of = groups[group];
-        const std::size_t first = m_ahead.size();
-        bool changes = false;
-        for (std::uint32_t lane = 0; lane < wideLanes; ++lane) {
-            const bool turns = (m_hasTurned[of.a[lane]] | m_hasTurned[of.b[lane]]) != 0;
-            if (of.source[lane] == ContactRows::noPair) continue;
-            const bool isEmpty = m_rows.points()[of.firstPoint].massNormal[lane] == 0;
-            if (!isEmpty && !turns) continue;
-            const bool adds = isSolved && !isEmpty;
-            changes = changes || !adds;
-            m_ahead.push_back({{.group = group, .lane = lane}, adds});
-        }
-        if (m_ahead.size() > first) m_aheadGroups.push_back(first);
-        if (changes) m_changedGroups.push_back(group);
+CAROM_INLINE void SteppedMotion::listAhead(bool isSolved, std::uint32_t group, AheadList& ahead) const {
+    const RowGroup& of = m_rows.groups()[group];
+    const std::size_t first = ahead.tasks.size();
+    bool changes = false;
+    for (std::uint32_t lane = 0; lane < wideLanes; ++lane) {
+        const bool turns = (m_hasTurned[of.a[lane]] | m_hasTurned[of.b[lane]]) != 0;
+        if (of.source[lane] == ContactRows::noPair) continue;
+        const bool isEmpty = m_rows.points()[of.firstPoint].massNormal[lane] == 0;
+        if (!isEmpty && !turns) continue;
+        const bool adds = isSolved && !isEmpty;
+        changes = changes || !adds;
+        ahead.tasks.push_back({{.group = group, .lane = lane}, adds});
     }
+    if (ahead.tasks.size() > first) ahead.groups.push_back(first);
+    if (changes) ahead.changed.push_back(group);
+}
+
+void SteppedMotion::listAhead(bool isSolved, Workers& workers) {
+    m_ahead.clear();
+    workers.forLists(
+        m_rows.groups().size(), fewGroups, static_cast<AheadList&>(m_ahead),
+        [&](std::size_t begin, std::size_t end, AheadList& ahead) {
+            for (std::size_t group = begin; group < end; ++group)
+                listAhead(isSolved, static_cast<std::uint32_t>(group), ahead);
+        },
+        [this](const AheadList& part) { m_ahead.append(part); });
 }
 
 // Moves both bodies of a pair to where they are nearest along this normal, within the step. False if they

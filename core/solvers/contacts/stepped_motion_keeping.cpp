@@ -26,7 +26,7 @@ namespace carom {
 // Finds out which rows of the last look are kept: those of pairs whose bodies have moved little since their
 // contacts were found.
 void SteppedMotion::keepRows(const SteppedInput& input, const Manifolds& manifolds) {
-    m_bodies.noteMoved(input.bodies, m_islands, rowsWithin, rowsAngle); // of those that are far, none is kept
+    m_bodies.noteMoved(input, m_islands, rowsWithin, rowsAngle); // of those that are far, none is kept
     const auto keeps = [&](const MovedSince& a, const MovedSince& b, std::uint32_t entry) {
         const double moved = (a.moved + b.moved) / m_pairs.lawsOf(entry).size, turned = a.turned + b.turned;
         if (moved <= PersistentManifold::keptWithin && turned <= PersistentManifold::keptAngle) return true;
@@ -49,14 +49,14 @@ void SteppedMotion::keepRows(const SteppedInput& input, const Manifolds& manifol
             RowCount& count = m_rowCounts[m_islands.byNumber()[a != immobile ? a : b]];
             ++(isKept ? count.kept : count.old);
         }
-    dropRows();
+    dropRows(input.workers);
     m_deepest = m_rows.moveStart();
 }
 
 // Removes the rows of islands that do not keep them: the contacts of their bodies are to be found anew.
-void SteppedMotion::dropRows() {
-    for (const std::uint32_t i : m_bodies.moving().awake)
-        if (!m_rowCounts[m_islands.byNumber()[i]].keeps()) m_bodies.noteFar(i);
+void SteppedMotion::dropRows(Workers& workers) {
+    m_bodies.noteFarWhere([this](std::uint32_t i) { return !m_rowCounts[m_islands.byNumber()[i]].keeps(); },
+                          workers);
     if (std::ranges::none_of(m_rowCounts, &RowCount::keeps)) {
         m_rowState.assign(m_pairs.entries().size(), Rows::None);
         m_rows.begin(m_islands.numbers(), immobile);
@@ -77,13 +77,13 @@ void SteppedMotion::dropRows() {
 void SteppedMotion::lookAgain(const SteppedInput& input, double duration,
                               std::span<const std::uint32_t> struck, Manifolds& manifolds,
                               SteppedReport& report) {
-    findMoving();
+    findMoving(input.workers);
     noteTravel(input, duration);
     m_rowCounts.assign(m_islands.islandNumbers(), {.kept = 1});
     for (const std::uint32_t i : struck) m_rowCounts[m_islands.byNumber()[i]] = {.old = 1};
-    dropRows();
-    m_bodies.forgetMoved();
-    std::erase_if(m_watched, [this](const Watched& pair) { return rowCountOf(pair.entry).drops(); });
+    dropRows(input.workers);
+    m_bodies.forgetMoved(input.workers);
+    std::erase_if(m_found.watched, [this](const Watched& pair) { return rowCountOf(pair.entry).drops(); });
     m_again.clear();
     for (const std::uint32_t number : m_bodies.moving().pairs)
         if (rowCountOf(m_pairs.general()[number].entry).drops()) m_again.push_back(number);

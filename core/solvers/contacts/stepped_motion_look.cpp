@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/reserve.h"
+#include "core/base/shared_loops.h"
 #include "core/dynamics/contact_memory.h"
 #include "core/solvers/contacts/contact_settings.h"
 #include "core/solvers/contacts/stepped_motion.h"
@@ -19,6 +20,8 @@ namespace {
 
 /// Frames that one thread makes at least.
 constexpr std::size_t fewFrames = Workers::enoughOf(20);
+/// Pairs that it lists.
+constexpr std::size_t fewSeen = Workers::enoughOf(5);
 
 /// By the bits of the points of a pair: how many there are.
 constexpr std::array<std::uint8_t, 1U << mostRowPoints> countOf = [] {
@@ -34,11 +37,11 @@ constexpr std::array<std::uint8_t, 1U << mostRowPoints> countOf = [] {
 // gone far since they were made.
 void SteppedMotion::look(const SteppedInput& input, double duration, Manifolds& manifolds,
                          SteppedReport& report) {
-    findMoving();
+    findMoving(input.workers);
     noteTravel(input, duration);
     keepRows(input, manifolds);
-    m_bodies.forgetMoved();
-    m_watched.clear();
+    m_bodies.forgetMoved(input.workers);
+    m_found.watched.clear();
     report.contacts = 0;
     findContacts(input, duration, m_bodies.moving().pairs, manifolds, report);
     if (const std::span<const std::uint32_t> struck =
@@ -58,8 +61,9 @@ void SteppedMotion::look(const SteppedInput& input, double duration, Manifolds& 
         std::max({report.maxPenetration, m_deepest, m_still.heldDeepest(), m_pairs.balls().heldDeepest()});
 }
 
-void SteppedMotion::findMoving() {
-    if (!m_bodies.findMoving(m_still.bodies().flags(), m_pairs.ends(m_islands), m_islands)) return;
+void SteppedMotion::findMoving(Workers& workers) {
+    if (!m_bodies.findMoving(m_still.bodies().flags(), m_pairs.ends(m_islands, workers), m_islands, workers))
+        return;
     m_part.resize(m_islands.numbers());
     std::iota(m_part.begin(), m_part.end(), 0U);
     m_travel.assign(m_islands.numbers(), {});
@@ -73,23 +77,40 @@ void SteppedMotion::findContacts(const SteppedInput& input, double duration,
     m_pairs.balls().refresh(m_bodies.solved(), m_bodies.places(), duration, input.gravity, input.workers);
     m_deepest = std::max(m_deepest, m_pairs.balls().deepest());
     m_hasEmptyRows = false;
-    m_touching.clear();
-    reserveFor(m_pairs.general().size(), m_watched);
+    m_found.touching.clear();
+    m_found.parted.clear();
+    reserveFor(m_pairs.general().size(), m_found.watched);
     m_frameOf.resize(m_islands.numbers(), BallRows::noPair);
     m_pairs.beginLook();
     const ManifoldInput here{input.bodies, input.state, input.gravity, duration};
     updatePairs(here, pairs, manifolds, input.workers, report);
-    for (const Seen& seen : m_seen) {
-        const auto& [entry, open, heldDepth] = m_pairs.general()[seen.number];
-        if (seen.isTouching)
-            m_touching.push_back(seen);
-        else if (seen.isWatched)
-            m_watched.push_back({entry, seen.number, open});
-        if (!seen.isTouching && m_rowState[entry] == Rows::Old) m_rows.remove(oldRowsOf(entry));
-        report.contacts += seen.hasPoints ? 1 : 0;
-    }
+    report.contacts += listFound(input.workers);
+    for (const std::uint32_t entry : m_found.parted) m_rows.remove(oldRowsOf(entry));
     addRows(here, manifolds, input.workers);
     m_deepest = std::max(m_deepest, m_rows.end(m_bodies.solved(), m_frames, m_step, input.workers));
+}
+
+// Lists what was seen of pairs, by what follows from it. Returns how many have points.
+std::size_t SteppedMotion::listFound(Workers& workers) {
+    std::atomic<std::size_t> contacts = 0;
+    workers.forLists(
+        m_seen.size(), fewSeen, static_cast<Found&>(m_found),
+        [&](std::size_t begin, std::size_t end, Found& found) {
+            std::size_t count = 0;
+            for (const Seen& seen : std::span<const Seen>(m_seen).subspan(begin, end - begin)) {
+                count += seen.hasPoints ? 1 : 0;
+                if (seen.isTouching) {
+                    found.touching.push_back(seen);
+                    continue;
+                }
+                const auto& [entry, open, heldDepth] = m_pairs.general()[seen.number];
+                if (seen.isWatched) found.watched.push_back({entry, seen.number, open});
+                if (m_rowState[entry] == Rows::Old) found.parted.push_back(entry);
+            }
+            contacts += count;
+        },
+        [this](const Found& part) { m_found.append(part); });
+    return contacts;
 }
 
 // How much two bodies may come nearer to each other along a normal from A to B before the next look [m].
@@ -181,14 +202,14 @@ CAROM_INLINE std::uint32_t SteppedMotion::frameOf(BodyIndex body, std::uint32_t 
 // depends on the pairs before. What they are does not.
 void SteppedMotion::addRows(const ManifoldInput& here, Manifolds& manifolds, Workers& workers) {
     std::span<const SectionEnd> sections = m_islands.plan().sort(
-        m_touching, m_sorted, [](const Seen& seen) { return std::pair(seen.a, seen.b); });
+        m_found.touching, m_sorted, [](const Seen& seen) { return std::pair(seen.a, seen.b); }, workers);
     if (!m_rows.groups().empty()) sections = {}; // they are after those that are kept
     m_placed.clear();
     m_framed.clear();
     forEachInSections(
-        m_touching.size(), sections,
+        m_found.touching.size(), sections,
         [&](std::size_t i) {
-            const Seen& seen = m_touching[i];
+            const Seen& seen = m_found.touching[i];
             const std::uint32_t entry = m_pairs.general()[seen.number].entry;
             const auto [a, b] = m_pairs.entries()[entry].pair;
             const std::size_t count = countOf[seen.near];
@@ -210,8 +231,11 @@ void SteppedMotion::addRows(const ManifoldInput& here, Manifolds& manifolds, Wor
     workers.forRanges(m_placed.size(), fewManifolds, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) setRow(here, m_placed[i], manifolds);
     });
+    const auto rolls = [this](const Placed& placed) { return m_pairs.lawsOf(placed.entry).rolling > 0; };
+    if (!holdsForAny(m_placed.size(), fewSeen, workers, [&](std::size_t i) { return rolls(m_placed[i]); }))
+        return;
     for (const Placed& placed : m_placed) {
-        if (!(m_pairs.lawsOf(placed.entry).rolling > 0)) continue;
+        if (!rolls(placed)) continue;
         const PairInput pair = rowOf(here.bodies, placed, manifolds[m_pairs.entries()[placed.entry].place]);
         if (placed.isAgain)
             m_rows.turnRolling(placed.place, pair.normal, m_bodies.solved());

@@ -86,7 +86,7 @@ void SteppedMotion::findParts() {
     for (const std::uint32_t i : m_bodies.moving().awake) m_part[i] = i;
     for (const RowGroup& group : m_rows.groups())
         for (std::size_t lane = 0; lane < wideLanes; ++lane) joinParts(group.a[lane], group.b[lane]);
-    for (const Watched& pair : m_watched) joinParts(pair.open.a, pair.open.b);
+    for (const Watched& pair : m_found.watched) joinParts(pair.open.a, pair.open.b);
     for (const SpringRow& spring : static_cast<const std::vector<SpringRow>&>(m_springs))
         joinParts(spring.a, spring.b);
     m_pairs.balls().forEachPair([this](std::uint32_t a, std::uint32_t b) { joinParts(a, b); });
@@ -121,14 +121,16 @@ void SteppedMotion::moveOn(const SteppedInput& input, std::span<const std::uint3
 void SteppedMotion::rememberBefore(const SteppedInput& input) {
     const bool isKnown = m_isAfterKnown && m_bodies.isMovingKnown() && !input.isFirst;
     m_isAfterKnown = false;
-    findMoving();
-    m_atBegin =
-        isKnown ? m_after : invariantsOf(input.bodies, m_bodies.moving().bodies, input.state, input.gravity);
+    findMoving(input.workers);
+    m_atBegin = isKnown ? m_after
+                        : invariantsOf(input.bodies, m_bodies.moving().bodies, input.state, input.gravity,
+                                       m_invariantTerms, input.workers);
 }
 
 // Impulses of a sweep are not told apart: all are recorded under Contact.
 void SteppedMotion::recordMotion(const SteppedInput& input, double duration) {
-    m_after = invariantsOf(input.bodies, m_bodies.moving().bodies, input.state, input.gravity);
+    m_after = invariantsOf(input.bodies, m_bodies.moving().bodies, input.state, input.gravity,
+                           m_invariantTerms, input.workers);
     m_isAfterKnown = true;
     const Vec3 change = duration * input.gravity;
     if (!m_weight.isKnown || m_weight.change != change)

@@ -16,6 +16,8 @@ namespace {
 constexpr double nearPart = 2 * slackPart;
 /// Groups of balls of which one thread looks at the pairs, at least.
 constexpr std::size_t fewPlaced = Workers::enoughOf(50);
+/// Pairs of which it lists the places.
+constexpr std::size_t fewOrdered = Workers::enoughOf(1);
 
 } // namespace
 
@@ -79,11 +81,11 @@ void SteppedPairs::addBalls(const SteppedInput& input, const SteppedIslands& isl
     m_balls.add(pair, static_cast<std::uint32_t>(m_entries.size() - 1), immobile, solved);
 }
 
-const PairEnds& SteppedPairs::ends(const SteppedIslands& islands) {
-    if (!m_ends.isKnown())
-        m_ends.make(m_general.size(), islands.numbers(), [&](std::size_t number) {
-            return islands.numbersOf(m_entries[m_general[number].entry].pair);
-        });
+const PairEnds& SteppedPairs::ends(const SteppedIslands& islands, Workers& workers) {
+    const auto endsOf = [&](std::size_t number) {
+        return islands.numbersOf(m_entries[m_general[number].entry].pair);
+    };
+    if (!m_ends.isKnown()) m_ends.make(m_general.size(), islands.numbers(), endsOf, workers);
     return m_ends;
 }
 
@@ -219,13 +221,16 @@ void SteppedPairs::orderBalls(const SteppedInput& input, SteppedIslands& islands
         },
         [this](const PlacedPairs& part) { m_placed.append(part); });
     islands.noteOrdered();
-    for (std::vector<PlacedPair>* list : {&near, &far}) m_sort.sort(*list, input.bodies.count());
+    for (std::vector<PlacedPair>* list : {&near, &far})
+        m_sort.sort(*list, input.bodies.count(), input.workers);
     near.insert(near.end(), far.begin(), far.end());
     const std::span<const SectionEnd> sections = islands.plan().sort(
-        near, far, [&](const PlacedPair& placed) { return islands.numbersOf(placed.pair); });
-    m_order.clear();
-    for (const std::vector<PlacedPair>* list : {&near, &late})
-        for (const PlacedPair& placed : *list) m_order.push_back(placed.place);
+        near, far, [&](const PlacedPair& placed) { return islands.numbersOf(placed.pair); }, input.workers);
+    near.insert(near.end(), late.begin(), late.end());
+    m_order.resize(near.size());
+    input.workers.forRanges(near.size(), fewOrdered, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) m_order[i] = near[i].place;
+    });
     m_balls.reorder(m_order, immobile, sections, input.workers);
 }
 

@@ -84,7 +84,7 @@ class SteppedPairs {
             islands.noteUnordered(m_entries[i].pair);
         }
         renumber(numbers.entries);
-        m_balls.renumber(numbers.entries, immobile);
+        m_balls.renumber(numbers.entries, immobile, workers);
         return true;
     }
     /// Appends those of marked islands, or all, with their present manifolds; of balls only those with a
@@ -105,7 +105,7 @@ class SteppedPairs {
     BallRows& balls() { return m_balls; }
     const BallRows& balls() const { return m_balls; }
     /// Of the general pairs.
-    const PairEnds& ends(const SteppedIslands& islands);
+    const PairEnds& ends(const SteppedIslands& islands, Workers& workers);
     void forgetEnds() { m_ends.forget(); }
 
     /// Of an entry.

@@ -94,7 +94,7 @@ class Entered {
     bool renew(BasePath& which, const SteppedInput& with, Manifolds& itsManifolds) {
         if (!m_neighbours.follow(bodies, with.state, bodies.mobileBodies, m_gravity, substep))
             m_neighbours.search(bodies, with.state, *m_broadphase);
-        if (with.isFirst) which.markIfMoved(with.state);
+        if (with.isFirst) which.markIfMoved(with.state, with.workers);
         return which.renew(with, frame, skin, m_neighbours, *m_broadphase, itsManifolds);
     }
     void advance(bool isFirst = true) { path.advance(input(isFirst), manifolds); }
