@@ -74,7 +74,7 @@ class World {
     std::unique_ptr<Solver> m_solver;
     Workers m_workers;
     bool m_keepsLedger = false;
-    std::vector<double> m_stored; // [J], by Pipeline::stored(), at the start of a frame that is audited
+    std::vector<double> m_stored; // [J], by Pipeline::stored(): when a frame begins and ends
 };
 
 } // namespace carom
