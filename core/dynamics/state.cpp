@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ranges>
 
 namespace carom {
 namespace {
@@ -59,8 +58,9 @@ Loss findLoss(const Bodies& bodies, std::span<const BodyIndex> list, const State
     double last = 0;
     for (const BodyIndex i : list) moving += state.pose[i].position + state.velocity[i];
     auto at = list.begin();
-    const auto first = std::ranges::lower_bound(bodies.rotating, list.front());
-    for (const BodyIndex i : std::ranges::subrange(first, bodies.rotating.end())) {
+    const std::vector<BodyIndex>& rotating = bodies.rotating;
+    for (auto next = std::ranges::lower_bound(rotating, list.front()); next != rotating.end(); ++next) {
+        const BodyIndex i = *next;
         while (at != list.end() && *at < i) ++at;
         if (at == list.end()) break;
         if (*at != i) continue;

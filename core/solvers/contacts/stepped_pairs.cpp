@@ -202,10 +202,10 @@ bool SteppedPairs::order() {
 // In islands that are in order, which have other rows then, all stay in the order that they have, so that it
 // depends on no other island.
 void SteppedPairs::orderBalls(const SteppedInput& input, SteppedIslands& islands) {
-    auto& [near, far, late] = static_cast<PlacedPairs&>(m_placed);
-    m_placed.clear();
+    PlacedPairs& placed = m_placed;
+    placed.clear();
     input.workers.forLists(
-        m_balls.groups(), fewPlaced, static_cast<PlacedPairs&>(m_placed),
+        m_balls.groups(), fewPlaced, placed,
         [&](std::size_t begin, std::size_t end, PlacedPairs& part) {
             m_balls.forEachPlace(begin, end, [&](std::uint32_t index, std::uint32_t place) {
                 Entry& entry = m_entries[index];
@@ -219,17 +219,18 @@ void SteppedPairs::orderBalls(const SteppedInput& input, SteppedIslands& islands
                     .push_back({entry.pair, place});
             });
         },
-        [this](const PlacedPairs& part) { m_placed.append(part); });
+        [&placed](const PlacedPairs& part) { placed.append(part); });
     islands.noteOrdered();
-    for (std::vector<PlacedPair>* list : {&near, &far})
+    std::vector<PlacedPair>& all = placed.near;
+    for (std::vector<PlacedPair>* list : {&all, &placed.far})
         m_sort.sort(*list, input.bodies.count(), input.workers);
-    near.insert(near.end(), far.begin(), far.end());
+    all.insert(all.end(), placed.far.begin(), placed.far.end());
     const std::span<const SectionEnd> sections = islands.plan().sort(
-        near, far, [&](const PlacedPair& placed) { return islands.numbersOf(placed.pair); }, input.workers);
-    near.insert(near.end(), late.begin(), late.end());
-    m_order.resize(near.size());
-    input.workers.forRanges(near.size(), fewOrdered, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) m_order[i] = near[i].place;
+        all, placed.far, [&](const PlacedPair& one) { return islands.numbersOf(one.pair); }, input.workers);
+    all.insert(all.end(), placed.late.begin(), placed.late.end());
+    m_order.resize(all.size());
+    input.workers.forRanges(all.size(), fewOrdered, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) m_order[i] = all[i].place;
     });
     m_balls.reorder(m_order, immobile, sections, input.workers);
 }
