@@ -49,7 +49,7 @@ namespace carom {
 /// are left to the base path that are refined now. At twice of start or saved, more large islands are solved
 /// exactly as they come to rest; at half, fewer. At twice of forRest, less is left for islands that move.
 struct RefinementBudget {
-    double floor = 1e6;    ///< in a frame: about half a millisecond
+    double floor = 1e6;    ///< in a frame: about a millisecond
     double perItem = 200;  ///< and for every body and contact
     double start = 400e6;  ///< saved when a run begins; it decreases within some frames
     double saved = 40e6;   ///< saved later at most
